@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: MIT
+# The flags that every file of the project is compiled with.
+add_library(odas_flags INTERFACE)
+target_compile_options(odas_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+  $<$<BOOL:${ODAS_WERROR}>:-Werror>
+  # Let the compiler vectorise: no errno, no traps. Not -ffast-math: NaN checks must live.
+  -fno-math-errno -fno-trapping-math
+  $<$<CXX_COMPILER_ID:GNU>:-fcx-limited-range>
+  # g++ 12 sees overlaps in std::string that are not there (its bug 105651).
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+target_include_directories(odas_flags INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_compile_features(odas_flags INTERFACE cxx_std_20)
+
+# odas_room(NAME [LIBRARIES ...]): one room of src/odas: an object library of its .cpp files, and, where
+# there are x_test.cpp files beside them, the test program NAME_test.
+function(odas_room name)
+  cmake_parse_arguments(ARG "" "" "LIBRARIES;TEST_LIBRARIES" ${ARGN})
+  set(dir ${CMAKE_CURRENT_SOURCE_DIR}/${name})
+  file(GLOB sources CONFIGURE_DEPENDS ${dir}/*.cpp)
+  set(tests ${sources})
+  list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "_(test|bench)\\.cpp$")
+  if(sources)
+    add_library(odas_${name} OBJECT ${sources})
+    set_target_properties(odas_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_link_libraries(odas_${name} PUBLIC odas_flags ${ARG_LIBRARIES})
+  else()
+    add_library(odas_${name} INTERFACE)
+    target_link_libraries(odas_${name} INTERFACE odas_flags ${ARG_LIBRARIES})
+  endif()
+  if(tests AND ODAS_BUILD_TESTS)
+    set_property(GLOBAL APPEND PROPERTY ODAS_ROOMS_WITH_TESTS ${name})
+    set_property(GLOBAL PROPERTY ODAS_TESTS_${name} "${tests}")
+    set_property(GLOBAL PROPERTY ODAS_TEST_LIBRARIES_${name} "${ARG_TEST_LIBRARIES}")
+  endif()
+endfunction()

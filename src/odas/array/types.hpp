@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The types in which the rooms of the pipeline speak to each other.
+#pragma once
+
+#include <complex>
+#include <cstdint>
+
+#include "odas/base/grid.hpp"
+#include "odas/base/short_string.hpp"
+#include "odas/base/vec3.hpp"
+
+namespace odas {
+
+using cfloat = std::complex<float>;
+
+/// Hops since the start, from 1. What ODAS's JSON calls timeStamp. seconds = (time - 1) * hop / rate.
+using HopIndex = std::uint64_t;
+
+/// A direction that may hold a source in this hop. `energy` is E in ODAS's scale: about 1 for one coherent
+/// plane wave, 0.05 to 0.1 for noise; it does not depend on the level.
+struct Potential {
+  Vec3 direction{0, 0, 1};
+  float energy = 0;
+};
+
+/// A source that is followed. The index in the list of tracks is its slot, and so its audio channel.
+struct Track {
+  std::uint64_t id = 0;  // 0: an empty slot. Ids rise and are never used again
+  ShortString<63> tag{};
+  Vec3 direction{};
+  float activity = 0;  // 0..1: how sure it is that the source sounds in this hop
+};
+
+}  // namespace odas

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace odas {
+
+/// Prints file, line and the broken condition, and aborts.
+[[noreturn]] void contract_broken(const char* condition, const char* file, int line) noexcept;
+
+}  // namespace odas
+
+/// A precondition of ours. Checked in debug, test and sanitizer builds; costs nothing in release builds.
+#if defined(NDEBUG) && !defined(ODAS_CHECK_CONTRACTS)
+#define ODAS_EXPECT(condition) static_cast<void>(0)
+#else
+#define ODAS_EXPECT(condition) \
+  ((condition) ? static_cast<void>(0) : ::odas::contract_broken(#condition, __FILE__, __LINE__))
+#endif

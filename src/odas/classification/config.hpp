@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "odas/base/field.hpp"
+
+namespace odas {
+
+/// Speech or not, by pitch: section `classify`.
+struct ClassifyConfig {
+  int frame_size = 1024;
+  int win_size = 3;
+  float tau_min = 32;
+  float tau_max = 200;
+  float delta_tau_max = 7;
+  float alpha = 0.3F;
+  float gamma = 0.05F;
+  float phi_min = 0.15F;
+  float r0 = 0.2F;
+  static Schema schema();
+};
+
+}  // namespace odas

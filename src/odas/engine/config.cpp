@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "odas/engine/config.hpp"
+
+namespace odas {
+
+Schema InterfaceConfig::schema() {
+  using C = InterfaceConfig;
+  static const std::vector<Field> fields{
+      field<&C::type>(
+          "type", "", kAny, "kind of interface",
+          {"blackhole", "file", "socket", "terminal", "soundcard", "soundcard_name", "pulseaudio"}),
+      field<&C::path>("path", "", kAny, "file: its path"),
+      field<&C::ip>("ip", "", kAny, "socket: address of the peer"),
+      field<&C::port>("port", "", {0, 65535}, "socket: TCP port of the peer"),
+      field<&C::card>("card", "", kNotNegative, "soundcard: ALSA card number"),
+      field<&C::device>("device", "", kNotNegative, "soundcard: ALSA device number"),
+      field<&C::devicename>("devicename", "", kAny, "soundcard_name: ALSA PCM name"),
+      field<&C::source>("source", "", kAny, "pulseaudio: name of the source"),
+      field<&C::channelmap>("channelmap", "", kAny, "pulseaudio: one position name per channel"),
+  };
+  return fields;
+}
+
+Schema RawConfig::schema() {
+  using C = RawConfig;
+  static const std::vector<Field> fields{
+      field<&C::fs>("fS", "Hz", {1000, 384000}, "sample rate of the microphones").must(),
+      field<&C::hop_size>("hopSize", "samples", {1, 65536}, "block read at once"),
+      field<&C::n_bits>("nBits", "bits", {8, 32}, "8, 16, 24 or 32: signed, little-endian, packed"),
+      field<&C::n_channels>("nChannels", "", {1, 1024}, "channels of the stream").must(),
+      field<&C::interface>("interface", "", kAny, "where the microphones are"),
+  };
+  return fields;
+}
+
+Schema MappingConfig::schema() {
+  static const std::vector<Field> fields{
+      field<&MappingConfig::map>(
+          "map", "", {0, 1024},
+          "input channel of each microphone, from 1; 0 is silence; absent: 1, 2, 3, ..."),
+  };
+  return fields;
+}
+
+Schema TextOutputConfig::schema() {
+  using C = TextOutputConfig;
+  static const std::vector<Field> fields{
+      field<&C::format>("format", "", kAny, "json: ODAS's own; jsonl: one object a line; binary: four floats",
+                        {"undefined", "json", "jsonl", "binary"}),
+      field<&C::interface>("interface", "", kAny, "where it goes"),
+  };
+  return fields;
+}
+
+Schema AudioOutputConfig::schema() {
+  using C = AudioOutputConfig;
+  static const std::vector<Field> fields{
+      field<&C::fs>("fS", "Hz", {1000, 384000}, "sample rate of the stream"),
+      field<&C::hop_size>("hopSize", "samples", {1, 65536}, "block written at once"),
+      field<&C::n_bits>("nBits", "bits", {8, 32}, "8, 16, 24 or 32: signed, little-endian, packed"),
+      ignored_field("gain", "never read by ODAS; see sss.gain_sep and sss.gain_pf"),
+      field<&C::interface>("interface", "", kAny, "where it goes"),
+  };
+  return fields;
+}
+
+namespace {
+
+struct PotentialGroup {
+  static Schema schema() {
+    static const std::vector<Field> fields{
+        field<&Configuration::potential>("potential", "", kAny, "the directions found")};
+    return fields;
+  }
+};
+struct TrackedGroup {
+  static Schema schema() {
+    static const std::vector<Field> fields{field<&Configuration::tracked>("tracked", "", kAny, "the tracks")};
+    return fields;
+  }
+};
+struct AudioGroup {
+  static Schema schema() {
+    static const std::vector<Field> fields{
+        field<&Configuration::separated>("separated", "", kAny, "the separated voices"),
+        field<&Configuration::postfiltered>("postfiltered", "", kAny, "the post-filtered voices")};
+    return fields;
+  }
+};
+struct CategoryGroup {
+  static Schema schema() {
+    static const std::vector<Field> fields{
+        field<&Configuration::category>("category", "", kAny, "speech or not")};
+    return fields;
+  }
+};
+
+}  // namespace
+
+std::vector<Section> sections_of(Configuration& c) {
+  return {
+      {"raw", {{&c.raw, RawConfig::schema()}}},
+      {"mapping", {{&c.mapping, MappingConfig::schema()}}},
+      {"general", {{&c.pipeline.general, GeneralConfig::schema()}}},
+      {"sne", {{&c.pipeline.sne, McraConfig::schema()}}},
+      {"ssl", {{&c.pipeline.ssl, SslConfig::schema()}, {&c, PotentialGroup::schema()}}},
+      {"sst", {{&c.pipeline.sst, SstConfig::schema()}, {&c, TrackedGroup::schema()}}},
+      {"sss", {{&c.pipeline.sss, SssConfig::schema()}, {&c, AudioGroup::schema()}}},
+      {"classify", {{&c.pipeline.classify, ClassifyConfig::schema()}, {&c, CategoryGroup::schema()}}},
+  };
+}
+
+}  // namespace odas

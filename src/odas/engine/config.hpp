@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "odas/base/field.hpp"
+#include "odas/pipeline/config.hpp"
+
+namespace odas {
+
+/// Where bytes come from or go to: any `interface` group.
+struct InterfaceConfig {
+  std::string type = "blackhole";
+  std::string path;                     // file
+  std::string ip;                       // socket
+  int port = 0;                         // socket
+  int card = 0, device = 0;             // soundcard: ALSA hw:card,device
+  std::string devicename;               // soundcard_name: ALSA PCM name
+  std::string source;                   // pulseaudio
+  std::vector<std::string> channelmap;  // pulseaudio
+  static Schema schema();
+};
+
+/// The microphones as they come: section `raw`.
+struct RawConfig {
+  int fs = 16000;
+  int hop_size = 128;
+  int n_bits = 16;
+  int n_channels = 0;
+  InterfaceConfig interface;
+  static Schema schema();
+};
+
+/// Which input channel is which microphone: section `mapping`.
+struct MappingConfig {
+  std::vector<int> map;  // 1-based; 0: silence; empty: 1, 2, 3, ...
+  static Schema schema();
+};
+
+/// A stream of text or numbers: `ssl.potential`, `sst.tracked`, `classify.category`.
+struct TextOutputConfig {
+  std::string format = "undefined";
+  InterfaceConfig interface;
+  static Schema schema();
+};
+
+/// A stream of audio: `sss.separated`, `sss.postfiltered`.
+struct AudioOutputConfig {
+  int fs = 16000;
+  int hop_size = 128;
+  int n_bits = 16;
+  InterfaceConfig interface;
+  static Schema schema();
+};
+
+/// A whole configuration file.
+struct Configuration {
+  RawConfig raw;
+  MappingConfig mapping;
+  PipelineConfig pipeline;
+  TextOutputConfig potential;
+  TextOutputConfig tracked;
+  TextOutputConfig category;
+  AudioOutputConfig separated;
+  AudioOutputConfig postfiltered;
+};
+
+/// One section of the file, and the structs that its keys belong to.
+struct Section {
+  std::string_view name;
+  std::vector<GroupRef> groups;
+};
+[[nodiscard]] std::vector<Section> sections_of(Configuration& config);
+
+}  // namespace odas

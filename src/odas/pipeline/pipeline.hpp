@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "odas/array/types.hpp"
+#include "odas/pipeline/config.hpp"
+
+namespace odas {
+
+/// What one hop gave. The views hold until the next hop.
+struct HopResult {
+  HopIndex time = 0;
+  std::span<const Potential> potentials;  // strongest first found first; empty where nobody wants them
+  std::span<const Track> tracks;          // [slot]
+  GridView<const float> separated;        // [slot][hop], full scale 1, processing rate, before gain_sep
+  GridView<const float> postfiltered;     // [slot][hop], before gain_pf
+};
+
+/// The whole of hearing, one hop at a time: microphones in, directions, tracks and voices out.
+///
+/// Shapes: `mics` is [mic][hop] at `general.samplerate.mu`, full scale 1.
+/// Delay: separated audio is `frame_size - hop_size` samples behind the microphones.
+/// Errors: the constructor throws ConfigError. A non-finite sample counts as silence and is counted.
+class Pipeline {
+ public:
+  explicit Pipeline(const PipelineConfig& config);
+  ~Pipeline();
+  Pipeline(Pipeline&&) noexcept;
+  Pipeline& operator=(Pipeline&&) noexcept;
+
+  /// Allocates nothing, locks nothing, waits for nobody.
+  HopResult process_hop(GridView<const float> mics) noexcept;
+
+  /// The state after construction, exactly.
+  void reset() noexcept;
+
+  [[nodiscard]] std::size_t mics() const noexcept;
+  [[nodiscard]] std::size_t hop_size() const noexcept;
+  [[nodiscard]] std::size_t slots() const noexcept;
+  [[nodiscard]] int sample_rate() const noexcept;
+
+  /// Samples that were not finite since the start, and were taken as silence.
+  [[nodiscard]] std::uint64_t non_finite_samples() const noexcept;
+
+  /// What `odas check` shows of the plan.
+  struct Plan {
+    std::size_t pairs = 0;       // all pairs of microphones
+    std::size_t pairs_used = 0;  // those that hear at least one common direction
+    struct Scan {
+      int level = 0;
+      std::size_t points = 0;         // directions of the grid
+      std::size_t active_points = 0;  // those that at least one pair hears
+    };
+    std::vector<Scan> scans;
+    std::size_t lags = 0;          // of each cross-correlation, after interpolation
+    bool half_sphere = false;      // found by itself, the array being flat
+    double latency_ms = 0;         // of the separated audio
+    std::size_t memory_bytes = 0;  // tables and states, about
+  };
+  [[nodiscard]] Plan plan() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace odas

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "odas/base/field.hpp"
+
+namespace odas {
+
+/// Geometric source separation: `sss.dgss`.
+struct GssConfig {
+  float mu = 0.01F;
+  float lambda = 0.5F;
+  static Schema schema();
+};
+
+/// The multi-source post-filter: `sss.ms`.
+struct MultiSourceFilterConfig {
+  float alpha_p_min = 0.07F;
+  float eta = 0.5F;
+  float alpha_z = 0.8F;
+  float theta_win = 0.3F;
+  float alpha_win = 0.3F;
+  float max_absence_prob = 0.9F;
+  float g_min = 0.01F;
+  int win_size_local = 3;
+  int win_size_global = 23;
+  int win_size_frame = 256;
+  static Schema schema();
+};
+
+/// The single-source post-filter: `sss.ss`.
+struct SingleSourceFilterConfig {
+  float g_min = 0.01F;
+  float g_mid = 0.5F;
+  float g_slope = 10;
+  static Schema schema();
+};
+
+/// Separation: section `sss`.
+struct SssConfig {
+  std::string mode_sep = "dds";
+  std::string mode_pf = "ss";
+  float gain_sep = 1;
+  float gain_pf = 1;
+  GssConfig dgss;
+  MultiSourceFilterConfig ms;
+  SingleSourceFilterConfig ss;
+  static Schema schema();
+};
+
+}  // namespace odas
