@@ -44,6 +44,7 @@ struct GroupRef {
 class ListRef {
  public:
   template <class T>
+    requires requires { T::schema(); }
   explicit ListRef(std::vector<T>* list)
       : list_(list),
         schema_(T::schema()),
@@ -51,6 +52,7 @@ class ListRef {
         resize_([](void* p, std::size_t n) { static_cast<std::vector<T>*>(p)->resize(n); }),
         at_([](void* p, std::size_t i) -> void* { return &(*static_cast<std::vector<T>*>(p))[i]; }) {}
   template <class T>
+    requires requires { T::schema(); }
   explicit ListRef(std::optional<std::vector<T>>* list)
       : list_(list),
         schema_(T::schema()),
