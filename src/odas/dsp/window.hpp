@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace odas {
+
+/// Square root of a symmetric Hann window, as ODAS takes: w[n] = sqrt((1 - cos(2 pi n / (N-1))) / 2).
+/// Symmetric, both ends zero: with it potentials agree with ODAS's.
+[[nodiscard]] std::vector<float> root_hann(std::size_t frame_size);
+
+/// The synthesis window that makes analysis, overlap-add and synthesis a gain of exactly 1:
+/// v[n] = w[n] / sum_m w[n + m hop]^2. Zero where nothing of the signal is left to restore.
+/// (Griffin and Lim, 1984: the least-squares synthesis window.)
+[[nodiscard]] std::vector<float> synthesis_window(const std::vector<float>& analysis, std::size_t hop_size);
+
+}  // namespace odas
