@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "odas/array/types.hpp"
+
+namespace odas {
+
+/// Gives each track the sound from its direction: y = sum over mics of W_m x_m, per slot and bin.
+///
+/// Shapes: spectra [mic][bin], tracks [slot], beams [slot][bin].
+/// A slot with id 0, or whose direction no microphone hears, gives zeros. What a slot remembers is forgotten
+/// when its id changes. A non-finite input gives a non-finite output in that hop at most.
+class Beamformer {
+ public:
+  virtual ~Beamformer() = default;
+
+  virtual void separate(GridView<const cfloat> spectra, std::span<const Track> tracks,
+                        GridView<cfloat> beams) noexcept = 0;
+
+  /// [mic][bin]: the demixing weights W that the last hop applied; zero where a microphone does not hear
+  /// the direction, and in empty slots.
+  [[nodiscard]] virtual GridView<const cfloat> weights(std::size_t slot) const noexcept = 0;
+
+  /// The state after construction, exactly.
+  virtual void reset() noexcept = 0;
+};
+
+}  // namespace odas
