@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "odas/io/report_audio.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sndfile.hh>
+#include <sstream>
+
+#include "odas/base/error.hpp"
+
+namespace odas {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path temporary(const std::string& name) { return fs::path(testing::TempDir()) / ("odas_report_audio_" + name); }
+
+std::string base64(const std::string& bytes) {
+  const fs::path file = temporary("bytes");
+  std::ofstream(file, std::ios::binary) << bytes;
+  std::ostringstream out;
+  write_base64(out, file);
+  fs::remove(file);
+  return out.str();
+}
+
+TEST(Base64, agrees_with_the_vectors_of_rfc_4648) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64("\xff\xfe\x80"), "//6A");
+}
+
+TEST(Base64, pads_only_at_the_end_of_a_file_of_many_blocks) {
+  const std::string text = base64(std::string(3 * 4096 * 2 + 1, 'x'));
+  EXPECT_EQ(text.size(), 4U * (4096 * 2 + 1));
+  EXPECT_EQ(text.find('='), text.size() - 2);
+}
+
+TEST(Base64, throws_when_the_file_is_missing) {
+  std::ostringstream out;
+  EXPECT_THROW(write_base64(out, temporary("missing")), IoError);
+}
+
+TEST(Waveform, holds_the_largest_sample_of_each_stretch) {
+  const fs::path file = temporary("wave.wav");
+  {
+    SndfileHandle sound(file.string(), SFM_WRITE, SF_FORMAT_WAV | SF_FORMAT_PCM_16, 1, 8000);
+    std::vector<float> samples(8000, 0.0F);
+    samples[100] = -0.5F;
+    samples[7999] = 0.25F;
+    sound.writef(samples.data(), 8000);
+  }
+  const Waveform w = waveform_of(file, 10);
+  EXPECT_DOUBLE_EQ(w.seconds, 1.0);
+  EXPECT_NEAR(w.peak, 0.5F, 1e-3F);
+  ASSERT_EQ(w.peaks.size(), 10U);
+  EXPECT_NEAR(w.peaks[0], 0.5F, 1e-3F);
+  EXPECT_EQ(w.peaks[5], 0.0F);
+  EXPECT_NEAR(w.peaks[9], 0.25F, 1e-3F);
+  fs::remove(file);
+}
+
+TEST(Waveform, of_no_sound_is_empty) {
+  const fs::path file = temporary("empty.wav");
+  { const SndfileHandle sound(file.string(), SFM_WRITE, SF_FORMAT_WAV | SF_FORMAT_PCM_16, 1, 8000); }
+  const Waveform w = waveform_of(file, 10);
+  EXPECT_EQ(w.peak, 0.0F);
+  EXPECT_TRUE(w.peaks.empty());
+  fs::remove(file);
+}
+
+}  // namespace
+}  // namespace odas
