@@ -44,7 +44,7 @@ struct GroupRef {
 class ListRef {
  public:
   template <class T>
-    requires requires { T::schema(); }
+  requires requires { T::schema(); }
   explicit ListRef(std::vector<T>* list)
       : list_(list),
         schema_(T::schema()),
@@ -52,7 +52,7 @@ class ListRef {
         resize_([](void* p, std::size_t n) { static_cast<std::vector<T>*>(p)->resize(n); }),
         at_([](void* p, std::size_t i) -> void* { return &(*static_cast<std::vector<T>*>(p))[i]; }) {}
   template <class T>
-    requires requires { T::schema(); }
+  requires requires { T::schema(); }
   explicit ListRef(std::optional<std::vector<T>>* list)
       : list_(list),
         schema_(T::schema()),
@@ -96,11 +96,16 @@ class Field {
   std::string_view meaning;                 // one line
   std::vector<std::string_view> choices{};  // of a string; empty: any
   bool required = false;                    // describes the hardware: has no default
+  std::string_view derived{};               // path of the key whose value is the default
 
   [[nodiscard]] FieldValue value(void* object) const { return access_(object); }
 
   Field must() && {
     required = true;
+    return std::move(*this);
+  }
+  Field defaults_to(std::string_view path) && {
+    derived = path;
     return std::move(*this);
   }
 

@@ -6,9 +6,8 @@ namespace odas {
 Schema InterfaceConfig::schema() {
   using C = InterfaceConfig;
   static const std::vector<Field> fields{
-      field<&C::type>(
-          "type", "", kAny, "kind of interface",
-          {"blackhole", "file", "socket", "terminal", "soundcard", "soundcard_name", "pulseaudio"}),
+      field<&C::type>("type", "", kAny, "kind of source; blackhole: none, a recording is given with odas run",
+                      {"blackhole", "file", "socket", "soundcard", "soundcard_name", "pulseaudio"}),
       field<&C::path>("path", "", kAny, "file: its path"),
       field<&C::ip>("ip", "", kAny, "socket: address of the peer"),
       field<&C::port>("port", "", {0, 65535}, "socket: TCP port of the peer"),
@@ -21,11 +20,38 @@ Schema InterfaceConfig::schema() {
   return fields;
 }
 
+Schema InterfaceConfig::sink_schema() {
+  using C = InterfaceConfig;
+  static const std::vector<Field> fields{
+      field<&C::type>("type", "", kAny, "kind of sink; blackhole: nobody listens, so it is not computed",
+                      {"blackhole", "file", "socket", "terminal"}),
+      field<&C::path>("path", "", kAny, "file: its path"),
+      field<&C::ip>("ip", "", kAny, "socket: address of the peer"),
+      field<&C::port>("port", "", {0, 65535}, "socket: TCP port of the peer"),
+  };
+  return fields;
+}
+
+namespace {
+
+/// The `interface` of an output.
+template <class Output>
+Field sink_field() {
+  Field sink = field<&Output::interface>("interface", "", kAny, "where it goes");
+  sink.access_ = [](void* object) -> FieldValue {
+    return GroupRef{&static_cast<Output*>(object)->interface, InterfaceConfig::sink_schema()};
+  };
+  return sink;
+}
+
+}  // namespace
+
 Schema RawConfig::schema() {
   using C = RawConfig;
   static const std::vector<Field> fields{
       field<&C::fs>("fS", "Hz", {1000, 384000}, "sample rate of the microphones").must(),
-      field<&C::hop_size>("hopSize", "samples", {1, 65536}, "block read at once"),
+      field<&C::hop_size>("hopSize", "samples", {1, 65536}, "block read at once")
+          .defaults_to("general.size.hopSize"),
       field<&C::n_bits>("nBits", "bits", {8, 32}, "8, 16, 24 or 32: signed, little-endian, packed"),
       field<&C::n_channels>("nChannels", "", {1, 1024}, "channels of the stream").must(),
       field<&C::interface>("interface", "", kAny, "where the microphones are"),
@@ -47,7 +73,7 @@ Schema TextOutputConfig::schema() {
   static const std::vector<Field> fields{
       field<&C::format>("format", "", kAny, "json: ODAS's own; jsonl: one object a line; binary: four floats",
                         {"undefined", "json", "jsonl", "binary"}),
-      field<&C::interface>("interface", "", kAny, "where it goes"),
+      sink_field<C>(),
   };
   return fields;
 }
@@ -55,11 +81,13 @@ Schema TextOutputConfig::schema() {
 Schema AudioOutputConfig::schema() {
   using C = AudioOutputConfig;
   static const std::vector<Field> fields{
-      field<&C::fs>("fS", "Hz", {1000, 384000}, "sample rate of the stream"),
-      field<&C::hop_size>("hopSize", "samples", {1, 65536}, "block written at once"),
+      field<&C::fs>("fS", "Hz", {1000, 384000}, "sample rate of the stream")
+          .defaults_to("general.samplerate.mu"),
+      field<&C::hop_size>("hopSize", "samples", {1, 65536}, "block written at once")
+          .defaults_to("general.size.hopSize"),
       field<&C::n_bits>("nBits", "bits", {8, 32}, "8, 16, 24 or 32: signed, little-endian, packed"),
       ignored_field("gain", "never read by ODAS; see sss.gain_sep and sss.gain_pf"),
-      field<&C::interface>("interface", "", kAny, "where it goes"),
+      sink_field<C>(),
   };
   return fields;
 }

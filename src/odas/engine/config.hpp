@@ -19,7 +19,8 @@ struct InterfaceConfig {
   std::string devicename;               // soundcard_name: ALSA PCM name
   std::string source;                   // pulseaudio
   std::vector<std::string> channelmap;  // pulseaudio
-  static Schema schema();
+  static Schema schema();               // of a source
+  static Schema sink_schema();
 };
 
 /// The microphones as they come: section `raw`.

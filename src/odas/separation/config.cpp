@@ -26,7 +26,8 @@ Schema MultiSourceFilterConfig::schema() {
       field<&C::win_size_global>("winSizeGlobal", "bins", {1, 65536},
                                  "global smoothing window; at most the frame"),
       field<&C::win_size_frame>("winSizeFrame", "bins", {1, 65536},
-                                "frame smoothing window; at most the frame"),
+                                "frame smoothing window; at most the frame")
+          .defaults_to("general.size.frameSize"),
   };
   return fields;
 }

@@ -5,7 +5,7 @@ namespace odas {
 
 Schema GaussianConfig::schema() {
   static const std::vector<Field> fields{
-      field<&GaussianConfig::weight>("weight", "", kPositive, "weight in the mixture"),
+      field<&GaussianConfig::weight>("weight", "", kNotNegative, "weight in the mixture"),
       field<&GaussianConfig::mu>("mu", "", kAny, "mean of E"),
       field<&GaussianConfig::sigma2>("sigma2", "", kPositive, "variance of E"),
   };

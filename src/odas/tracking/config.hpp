@@ -52,7 +52,7 @@ struct SstConfig {
   float theta_new = 0.9F;
   int n_prob = 5;
   float theta_prob = 0.8F;
-  std::vector<int> n_inactive{250, 250, 250, 250};
+  std::vector<int> n_inactive{150, 200, 250, 250};
   float theta_inactive = 0.9F;
   KalmanConfig kalman;
   ParticleConfig particle;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "odas/config/checks.hpp"
+
+#include <algorithm>
+
+namespace odas {
+
+namespace {
+
+/// "general.mics" holds "general.mics[2].mu"; it does not hold "general.micsX".
+bool holds(const std::string& outer, const std::string& inner) {
+  return inner.starts_with(outer) &&
+         (inner.size() == outer.size() || inner[outer.size()] == '.' || inner[outer.size()] == '[');
+}
+
+}  // namespace
+
+void CheckReport::error(std::string path, std::string what) {
+  faults_.push_back(locations_.locate({Fault::Severity::error, std::move(path), std::move(what), "", 0}));
+}
+
+void CheckReport::warning(std::string path, std::string what) {
+  faults_.push_back(locations_.locate({Fault::Severity::warning, std::move(path), std::move(what), "", 0}));
+}
+
+bool CheckReport::sound(const std::string& path) const {
+  return std::none_of(faults_.begin(), faults_.end(), [&](const Fault& fault) {
+    return fault.severity == Fault::Severity::error && (holds(path, fault.path) || holds(fault.path, path));
+  });
+}
+
+void check_configuration(const Configuration& config, const Locations& locations,
+                         std::vector<Fault>& faults) {
+  CheckReport report(locations, faults);
+  check_array(config, report);
+  check_stages(config, report);
+  check_interfaces(config, report);
+}
+
+Wanted wanted_of(const Configuration& config) {
+  const auto listens = [](const auto& output) { return output.interface.type != "blackhole"; };
+  Wanted wanted;
+  wanted.potentials = listens(config.potential);
+  wanted.tracks = listens(config.tracked);
+  wanted.separated = listens(config.separated) || listens(config.category);
+  wanted.postfiltered = listens(config.postfiltered);
+  return wanted;
+}
+
+}  // namespace odas
