@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <fstream>
+
 #include <nlohmann/json.hpp>
 
 #include "odas/base/error.hpp"
@@ -23,17 +24,24 @@ std::string escape_html(std::string_view text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      default: result += c;
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      default:
+        result += c;
     }
   }
   return result;
 }
 
-/// JSON that may stand inside <script>: without '<' there is no </script> and no <!--. Bytes that are not UTF-8
-/// (a file may be named so) become replacement characters.
+/// JSON that may stand inside <script>: without '<' there is no </script> and no <!--. Bytes that are not
+/// UTF-8 (a file may be named so) become replacement characters.
 std::string json_for_script(const Json& json) {
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string result;
@@ -42,10 +50,8 @@ std::string json_for_script(const Json& json) {
 }
 
 Json angles(const SourceHistory& s, float (*of)(Vec3)) {
-  return {{"mean", rounded(of(s.mean), 10)},
-          {"from", rounded(of(s.first), 10)},
-          {"to", rounded(of(s.last), 10)},
-          {"moved", s.moved}};
+  return {
+      {"mean", rounded(of(s.mean), 10)}, {"from", rounded(of(s.first), 10)}, {"to", rounded(of(s.last), 10)}};
 }
 
 Json to_json(const SourceHistory& s) {

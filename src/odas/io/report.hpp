@@ -30,8 +30,8 @@ struct ReportData {
   std::vector<Vec3> mics;  // m
   std::vector<ReportSource> sources;
   std::vector<PotentialPoint> potentials;
-  std::optional<ReportClip> reference;                       // the first microphone
-  std::vector<std::pair<std::string, std::string>> facts;    // name, value; in order
+  std::optional<ReportClip> reference;                     // the first microphone
+  std::vector<std::pair<std::string, std::string>> facts;  // name, value; in order
   std::vector<std::string> warnings;
 };
 

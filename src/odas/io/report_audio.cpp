@@ -5,8 +5,9 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <sndfile.hh>
 #include <string>
+
+#include <sndfile.hh>
 
 #include "odas/base/error.hpp"
 

@@ -10,7 +10,7 @@ namespace odas {
 /// The outline of a sound file.
 struct Waveform {
   double seconds = 0;
-  float peak = 0;           // largest magnitude, full scale 1
+  float peak = 0;            // largest magnitude, full scale 1
   std::vector<float> peaks;  // largest magnitude of each of equal stretches
 };
 

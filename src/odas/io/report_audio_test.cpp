@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "odas/io/report_audio.hpp"
 
-#include <gtest/gtest.h>
-
 #include <fstream>
-#include <sndfile.hh>
 #include <sstream>
+
+#include <gtest/gtest.h>
+#include <sndfile.hh>
 
 #include "odas/base/error.hpp"
 
@@ -14,7 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path temporary(const std::string& name) { return fs::path(testing::TempDir()) / ("odas_report_audio_" + name); }
+fs::path temporary(const std::string& name) {
+  return fs::path(testing::TempDir()) / ("odas_report_audio_" + name);
+}
 
 std::string base64(const std::string& bytes) {
   const fs::path file = temporary("bytes");

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "odas/io/report_history.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace odas {
 namespace {
@@ -19,9 +19,14 @@ HopIndex stride(double hop_seconds, double per_second) {
   return static_cast<HopIndex>(std::max(1.0, std::round(1 / (hop_seconds * per_second))));
 }
 
-float angle_deg(Vec3 a, Vec3 b) { return degrees(std::acos(std::clamp(dot(a, b), -1.F, 1.F))); }
-
 bool nonzero(Vec3 v) { return norm(v) > 0; }
+
+/// The azimuth of the sum, the elevation of the mean height: a walk around the array must not lift the
+/// elevation.
+Vec3 mean_direction(Vec3 sum, std::uint64_t count) {
+  const float z = std::clamp(sum.z / static_cast<float>(count), -1.F, 1.F);
+  return direction_of(azimuth_deg(sum), degrees(std::asin(z)));
+}
 
 }  // namespace
 
@@ -30,7 +35,9 @@ ReportHistory::ReportHistory(std::size_t hop_size, int sample_rate)
       seen_(stride(hop_seconds_, kTrailPointsPerSecond), kMaxTrailPoints),
       potentials_(stride(hop_seconds_, kPotentialHopsPerSecond), kMaxPotentials) {}
 
-double ReportHistory::seconds(HopIndex time) const noexcept { return static_cast<double>(time - 1) * hop_seconds_; }
+double ReportHistory::seconds(HopIndex time) const noexcept {
+  return static_cast<double>(time - 1) * hop_seconds_;
+}
 
 void ReportHistory::add(HopIndex time, std::span<const Potential> potentials, std::span<const Track> tracks) {
   for (const Potential& p : potentials) {
@@ -74,12 +81,12 @@ std::vector<SourceHistory> ReportHistory::sources() const {
     s.from_s = seconds(life.born);
     s.to_s = seconds(life.seen) + hop_seconds_;
     s.active_share = static_cast<double>(life.active_hops) / static_cast<double>(life.hops);
-    s.mean = normalized(nonzero(life.active_sum) ? life.active_sum : life.sum);
+    s.mean = life.active_hops > 0 ? mean_direction(life.active_sum, life.active_hops)
+                                  : mean_direction(life.sum, life.hops);
     const auto first = std::find_if(life.half_seconds.begin(), life.half_seconds.end(), nonzero);
     const auto last = std::find_if(life.half_seconds.rbegin(), life.half_seconds.rend(), nonzero);
     s.first = first == life.half_seconds.end() ? life.birth.direction : normalized(*first);
     s.last = last == life.half_seconds.rend() ? life.death.direction : normalized(*last);
-    s.moved = angle_deg(s.first, s.last) > kMovedDegrees;
     s.trail.push_back(life.birth);
     result.push_back(std::move(s));
   }
@@ -98,17 +105,21 @@ std::vector<SourceHistory> ReportHistory::sources() const {
 std::vector<PotentialPoint> ReportHistory::potentials() const {
   std::vector<PotentialPoint> result;
   result.reserve(potentials_.entries().size());
-  for (const auto& [time, p] : potentials_.entries()) result.push_back({seconds(time), p.direction, p.energy});
+  for (const auto& [time, p] : potentials_.entries())
+    result.push_back({seconds(time), p.direction, p.energy});
   return result;
 }
 
 std::string table_of(std::span<const SourceHistory> sources, std::string (*file_of)(std::uint64_t id)) {
   if (sources.empty()) return "No source was followed.\n";
   const auto angle = [](const SourceHistory& s, float (*of)(Vec3)) {
-    return s.moved ? fmt::format("{:.0f} -> {:.0f}", of(s.first), of(s.last)) : fmt::format("{:.0f}", of(s.mean));
+    const float change = std::abs(of(s.first) - of(s.last));
+    return std::min(change, 360 - change) >= kMovedDegrees
+               ? fmt::format("{:.0f} -> {:.0f}", of(s.first), of(s.last))
+               : fmt::format("{:.0f}", of(s.mean));
   };
-  std::string text = fmt::format("{:>6}  {:>8}  {:>8}  {:>13}  {:>13}  {:>6}  {}\n", "source", "from, s", "to, s",
-                                 "azimuth, deg", "elevation", "active", "voice");
+  std::string text = fmt::format("{:>6}  {:>8}  {:>8}  {:>13}  {:>13}  {:>6}  {}\n", "source", "from, s",
+                                 "to, s", "azimuth, deg", "elevation", "active", "voice");
   for (const SourceHistory& s : sources) {
     text += fmt::format("{:>6}  {:>8.1f}  {:>8.1f}  {:>13}  {:>13}  {:>5.0f}%  {}\n", s.id, s.from_s, s.to_s,
                         angle(s, azimuth_deg), angle(s, elevation_deg), 100 * s.active_share, file_of(s.id));

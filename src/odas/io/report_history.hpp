@@ -11,8 +11,8 @@
 
 namespace odas {
 
-/// Values in order of time, one from every `stride` hops. Where they grow too many the stride doubles, so that a
-/// day of sound takes no more memory than a minute.
+/// Values in order of time, one from every `stride` hops. Where they grow too many the stride doubles, so
+/// that a day of sound takes no more memory than a minute.
 template <class T>
 class ThinnedSeries {
  public:
@@ -55,8 +55,8 @@ struct SourceHistory {
   std::string tag;
   double from_s = 0, to_s = 0;  // first and last hop with this id
   double active_share = 0;      // 0..1: hops with activity of at least one half
-  Vec3 mean{}, first{}, last{};  // unit directions: of all, of the first and of the last half second of activity
-  bool moved = false;           // first and last lie more than 10 degrees apart
+  Vec3 mean{}, first{},
+      last{};  // unit directions: of all, of the first and of the last half second of activity
   std::vector<TrailPoint> trail;
 };
 
@@ -102,6 +102,7 @@ class ReportHistory {
 };
 
 /// The table that `odas run` prints at its end: one line a source. `file_of` gives the name of its voice.
-[[nodiscard]] std::string table_of(std::span<const SourceHistory> sources, std::string (*file_of)(std::uint64_t id));
+[[nodiscard]] std::string table_of(std::span<const SourceHistory> sources,
+                                   std::string (*file_of)(std::uint64_t id));
 
 }  // namespace odas

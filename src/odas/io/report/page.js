@@ -12,7 +12,7 @@ function fillHeader() {
 function fillTable() {
   const head = ["Source", "From", "To", "Azimuth", "Elevation", "Active", "Voice"];
   const rows = data.sources.map((s) => element("tr", {},
-    element("td", {}, chip(s), s.tag ? ` ${s.tag}` : ""),
+    element("td", {}, chip(s), s.tag && s.tag !== "dynamic" ? ` ${s.tag}` : ""),
     element("td", {}, clock(s.from)), element("td", {}, clock(s.to)),
     element("td", {}, span(s.places.azimuth)), element("td", {}, span(s.places.elevation)),
     element("td", {}, `${Math.round(100 * s.share)} %`),
@@ -24,8 +24,12 @@ function fillTable() {
 
 const link = (file) => file.split("/").map(encodeURIComponent).join("/");
 const chip = (s) => element("span", { class: "chip", style: `--colour: var(${s.colour})` }, String(s.id));
-/** "45°", or "45° → 60°" of a source that moved. */
-const span = ({ mean, from, to, moved }) => (moved ? `${signed(from)} → ${signed(to)}` : signed(mean));
+/** "45°", or "45° → 60°" where it changed. */
+function span({ mean, from, to }) {
+  const change = Math.abs(from - to);
+  return Math.min(change, 360 - change) >= kMoved ? `${signed(from)} → ${signed(to)}` : signed(mean);
+}
+const kMoved = 10;
 
 function addClips() {
   for (const clip of data.clips) {
@@ -36,7 +40,7 @@ function addClips() {
     const name = element("div", { class: "name" }, element("b", {}, clip.name));
     if (clip.places) name.append(element("span", {},
       `${clock(clip.from)} to ${clock(clip.to)}, azimuth ${span(clip.places.azimuth)}, elevation ${span(clip.places.elevation)}`));
-    name.append(element("span", {}, `peak ${clip.peak_db} dB`));
+    name.append(element("span", {}, `peak ${clip.peak_db} dB`.replace("-", "−")));
     if (clip.file) name.append(element("a", { href: link(clip.file) }, clip.file.split("/").at(-1)));
     byId("clips").append(element("div", { class: "clip", style: `--colour: var(${clip.colour || "--quiet"})` },
       name, clip.button, clip.canvas));
@@ -120,5 +124,7 @@ document.addEventListener("keydown", (e) => {
 });
 new ResizeObserver(drawAll).observe(byId("timeline"));
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", drawAll);
+// report.html#t=8.5 opens at 8.5 s; else where the first source appears.
+player.time = Math.min(data.seconds, Number(location.hash.match(/^#t=([\d.]+)$/)?.[1] ?? data.sources[0]?.from ?? 0));
 showState();
 drawAll();

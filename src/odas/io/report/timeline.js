@@ -45,8 +45,8 @@ function drawPotentials(c, key, x, y) {
   const { t, energy } = data.potentials, angles = data.potentials[key];
   c.fillStyle = theme("--dot");
   for (let k = 0; k < t.length; ++k) {
-    c.globalAlpha = Math.min(0.5, 0.05 + 0.6 * energy[k] * energy[k]);
-    c.fillRect(x(t[k]) - 0.9, y(angles[k]) - 0.9, 1.8, 1.8);
+    c.globalAlpha = Math.min(0.6, 0.12 + 0.8 * energy[k]);
+    c.fillRect(x(t[k]) - 1, y(angles[k]) - 1, 2, 2);
   }
   c.globalAlpha = 1;
 }
