@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "odas/io/voice_recorder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "odas/base/error.hpp"
+
+namespace odas {
+
+namespace fs = std::filesystem;
+
+std::string voice_file_name(std::uint64_t id) { return "source_" + std::to_string(id) + ".wav"; }
+
+namespace {
+
+/// Only names that this program gives: a user may keep other files here.
+bool is_voice(const std::string& name) {
+  return name.starts_with("source_") && name.ends_with(".wav") && name.size() > 11 &&
+         std::all_of(name.begin() + 7, name.end() - 4, [](char c) { return c >= '0' && c <= '9'; });
+}
+
+void remove_old_voices(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (is_voice(name) || name == "index.json") fs::remove(entry.path());
+  }
+}
+
+}  // namespace
+
+VoiceRecorder::VoiceRecorder(fs::path folder, Format format) : folder_(std::move(folder)), format_(format) {
+  try {
+    fs::create_directories(folder_);
+    remove_old_voices(folder_);
+  } catch (const fs::filesystem_error& error) {
+    throw IoError("cannot use " + folder_.string() + " for the voices: " + error.code().message());
+  }
+}
+
+void VoiceRecorder::add(HopIndex time, std::span<const Track> tracks, GridView<const float> audio) {
+  if (open_.size() < tracks.size()) open_.resize(tracks.size());
+  for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
+    std::optional<Open>& open = open_[slot];
+    const std::uint64_t id = tracks[slot].id;
+    if (open && voices_[open->voice].id != id) {
+      open->wav.close();
+      open.reset();
+    }
+    if (id == 0) continue;
+    if (!open) {
+      const double start = static_cast<double>(time - 1) * format_.hop_seconds - format_.delay_s;
+      voices_.push_back({id, voice_file_name(id), start, 0});
+      open.emplace(Open{voices_.size() - 1, MonoWav(folder_ / voices_.back().file, format_.sample_rate)});
+    }
+    open->wav.write(audio[slot]);
+    voices_[open->voice].seconds += static_cast<double>(audio.cols()) / format_.sample_rate;
+  }
+}
+
+void VoiceRecorder::close() {
+  for (auto& open : open_) {
+    if (open) open->wav.close();
+    open.reset();
+  }
+}
+
+void write_voice_index(const fs::path& file, std::span<const Voice> voices,
+                       std::span<const SourceHistory> sources) {
+  const auto rounded = [](double value) { return std::round(value * 1000) / 1000; };
+  nlohmann::ordered_json index = nlohmann::ordered_json::array();
+  for (const Voice& voice : voices) {
+    const auto source = std::find_if(sources.begin(), sources.end(),
+                                     [&](const SourceHistory& s) { return s.id == voice.id; });
+    if (source == sources.end()) continue;
+    index.push_back({{"id", voice.id},
+                     {"tag", source->tag},
+                     {"file", voice.file},
+                     {"start", rounded(voice.start_s)},
+                     {"seconds", rounded(voice.seconds)},
+                     {"azimuth", rounded(azimuth_deg(source->mean))},
+                     {"elevation", rounded(elevation_deg(source->mean))},
+                     {"active", rounded(source->active_share)}});
+  }
+  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  out << index.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  out.close();
+  if (!out) throw IoError("cannot write " + file.string() + ": is the disk full?");
+}
+
+}  // namespace odas

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "odas/array/types.hpp"
+#include "odas/io/mono_wav.hpp"
+#include "odas/io/report_history.hpp"
+
+namespace odas {
+
+/// A file with the voice of one source.
+struct Voice {
+  std::uint64_t id = 0;
+  std::string file;    // within the folder
+  double start_s = 0;  // where its first sample lies in the recording
+  double seconds = 0;  // its length
+};
+
+/// `source_3.wav`
+[[nodiscard]] std::string voice_file_name(std::uint64_t id);
+
+/// Writes one WAV file per followed source: the audio of its slot from the hop in which its id appears to the
+/// hop in which it is gone.
+class VoiceRecorder {
+ public:
+  struct Format {
+    int sample_rate = 16000;  // of the voices
+    double hop_seconds = 0;   // of a time step
+    double delay_s = 0;       // by which the voices come later than the microphones
+  };
+
+  /// Makes the folder; removes the voices of an earlier run. Throws IoError.
+  VoiceRecorder(std::filesystem::path folder, Format format);
+
+  /// `audio` is [slot][samples of this hop]. Throws IoError.
+  void add(HopIndex time, std::span<const Track> tracks, GridView<const float> audio);
+
+  /// Finishes all files. Throws IoError.
+  void close();
+
+  /// In order of appearance.
+  [[nodiscard]] const std::vector<Voice>& voices() const noexcept { return voices_; }
+
+ private:
+  struct Open {
+    std::size_t voice;  // index in voices_
+    MonoWav wav;
+  };
+
+  std::filesystem::path folder_;
+  Format format_;
+  std::vector<Voice> voices_;
+  std::vector<std::optional<Open>> open_;  // [slot]
+};
+
+/// `index.json` beside the voices: id, tag, file, time and mean direction of each. Throws IoError.
+void write_voice_index(const std::filesystem::path& file, std::span<const Voice> voices,
+                       std::span<const SourceHistory> sources);
+
+}  // namespace odas
