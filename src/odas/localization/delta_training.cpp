@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "odas/localization/delta_training.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace odas {
+namespace {
+
+/// The delay of one pair from one direction, in interpolated samples.
+struct Delay {
+  float mean;   // from the middle of ODAS's array of lags on: pairs that mirror each other tie, and the
+                // rounding that this costs decides which of them grows first
+  float scale;  // sqrt(2 variance)
+};
+
+class Training {
+ public:
+  Training(const GeneralConfig& general, const SslConfig& ssl, const ScanLevel& level,
+           std::span<const Pair> pairs)
+      : level_(level),
+        pairs_(pairs),
+        patch_size_(SpherePatch(ssl.n_refined_levels).size()),
+        directions_(level.active_points().size() * patch_size_),
+        covered_(directions_.size(), 0.F),
+        area_(pairs.size(), 1.F),
+        delta_(pairs.size(), 0) {
+    const float r = static_cast<float>(ssl.interp_rate);
+    const float rate = static_cast<float>(general.samplerate.mu);
+    const float c = general.speedofsound.mu;
+    rate_ = rate * r;
+    speed_ = c;
+    middle_ = static_cast<float>(ssl.interp_rate * general.size.frame_size / 2);
+    per_metre_ = rate_ / c;
+    speed_variance_ = rate_ * rate_ * general.speedofsound.sigma2 / (c * c * c * c);
+    for (const Pair& pair : pairs) {
+      baselines_.push_back(position(general.mics[pair.i]) - position(general.mics[pair.j]));
+      auto& sum = position_variances_.emplace_back();
+      for (std::size_t k = 0; k < sum.size(); ++k) {
+        sum[k] = general.mics[pair.i].sigma2[k] + general.mics[pair.j].sigma2[k];
+      }
+    }
+    const SpherePatch patch(ssl.n_refined_levels);
+    for (std::size_t a = 0; a < level.active_points().size(); ++a) {
+      const std::size_t u = level.active_points()[a];
+      patch.place(level.grid().points()[u], level.grid().points()[level.grid().nearest(u)],
+                  {directions_.data() + a * patch_size_, patch_size_});
+    }
+    for (std::size_t q = 0; q < pairs.size(); ++q) cover(q, -1, 0);
+  }
+
+  std::vector<int> run(float prob_min) {
+    while (score() < prob_min) {
+      // Of the pairs that can still grow, the one that covers least (the first of equals).
+      std::size_t worst = pairs_.size();
+      for (std::size_t q = 0; q < pairs_.size(); ++q) {
+        if (area_[q] < kFullyCovered && (worst == pairs_.size() || area_[q] < area_[worst])) worst = q;
+      }
+      if (worst == pairs_.size()) break;
+      cover(worst, delta_[worst], delta_[worst] + 1);
+      ++delta_[worst];
+    }
+    return delta_;
+  }
+
+ private:
+  static constexpr float kFullyCovered = 0.99999F;
+
+  [[nodiscard]] Delay delay(std::size_t q, Vec3 f) const noexcept {
+    const float d = dot(baselines_[q], f);
+    const auto& s = position_variances_[q];
+    const float placement = f.x * (s[0] * f.x + s[1] * f.y + s[2] * f.z) +
+                            f.y * (s[3] * f.x + s[4] * f.y + s[5] * f.z) +
+                            f.z * (s[6] * f.x + s[7] * f.y + s[8] * f.z);
+    const float variance = per_metre_ * per_metre_ * placement + d * d * speed_variance_;
+    return {-rate_ * d / speed_ + middle_, std::sqrt(2 * variance)};
+  }
+
+  /// Probability that the delay lies within lag +- (delta + 1/2).
+  [[nodiscard]] float probability(const Delay& delay, int lag, int delta) const noexcept {
+    const float half = static_cast<float>(delta) + 0.5F;
+    const float centre = static_cast<float>(lag) + middle_;
+    return 0.5F * (std::erf((centre + half - delay.mean) / delay.scale) -
+                   std::erf((centre - half - delay.mean) / delay.scale));
+  }
+
+  /// Takes pair `q` from one delta to another (from -1: it counted for nothing so far).
+  void cover(std::size_t q, int from, int to) noexcept {
+    float sum = 0;
+    std::size_t count = 0;
+    for (std::size_t a = 0; a < level_.active_points().size(); ++a) {
+      const std::size_t u = level_.active_points()[a];
+      if (level_.mask(u)[q] == 0) continue;
+      const int lag = level_.lags(u)[q];
+      for (std::size_t f = a * patch_size_; f < (a + 1) * patch_size_; ++f) {
+        const Delay d = delay(q, directions_[f]);
+        const float p = probability(d, lag, to);
+        covered_[f] += from < 0 ? p : p - probability(d, lag, from);
+        sum += p;
+        ++count;
+      }
+    }
+    area_[q] = count > 0 ? sum / static_cast<float>(count) : 1.F;
+  }
+
+  /// How well the worst direction of the worst point is covered.
+  [[nodiscard]] float score() const noexcept {
+    float worst = std::numeric_limits<float>::infinity();
+    for (std::size_t a = 0; a < level_.active_points().size(); ++a) {
+      const auto first = covered_.begin() + static_cast<std::ptrdiff_t>(a * patch_size_);
+      const float least = *std::min_element(first, first + static_cast<std::ptrdiff_t>(patch_size_));
+      worst = std::min(worst, least / static_cast<float>(level_.active_pairs(level_.active_points()[a])));
+    }
+    return worst;
+  }
+
+  const ScanLevel& level_;
+  std::span<const Pair> pairs_;
+  std::size_t patch_size_;
+  std::vector<Vec3> directions_;  // [active point x patch]
+  std::vector<float> covered_;    // [active point x patch]: sum over pairs of the probability
+  std::vector<float> area_;       // [pair]: mean probability
+  std::vector<int> delta_;        // [pair]
+  std::vector<Vec3> baselines_;
+  std::vector<std::array<float, 9>> position_variances_;
+  float rate_ = 0;            // samples per second, interpolated
+  float speed_ = 0;           // of sound
+  float middle_ = 0;          // lag 0 in ODAS's array of lags
+  float per_metre_ = 0;       // samples
+  float speed_variance_ = 0;  // of the delay, per metre squared
+};
+
+}  // namespace
+
+std::vector<int> train_deltas(const GeneralConfig& general, const SslConfig& ssl, const ScanLevel& level,
+                              std::span<const Pair> pairs) {
+  return Training(general, ssl, level, pairs).run(ssl.prob_min);
+}
+
+}  // namespace odas
