@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "support/config_faults.hpp"
+
+#include "odas/config/checks.hpp"
+
+namespace odas {
+namespace {
+
+using test::clean;
+using test::errs;
+using test::read_changed;
+using test::read_with;
+using test::warns;
+
+LoadedConfiguration with_source(const std::string& interface) {
+  return read_changed("nChannels = 2;", "nChannels = 2; interface: { " + interface + " };");
+}
+
+LoadedConfiguration with_text(const std::string& section, const std::string& stream,
+                              const std::string& format, const std::string& type) {
+  return read_with(section + ": { " + stream + ": { format = \"" + format + "\"; interface: { type = \"" +
+                   type + "\"; path = \"out\"; ip = \"127.0.0.1\"; port = 9000; }; }; };");
+}
+
+TEST(CheckInterfaces, want_what_the_kind_of_source_needs) {
+  EXPECT_TRUE(
+      errs(with_source(R"(type = "file";)"), "raw.interface.path", "is missing; type = \"file\" needs it"));
+  EXPECT_TRUE(errs(with_source(R"(type = "socket"; port = 1;)"), "raw.interface.ip", "is missing"));
+  EXPECT_TRUE(errs(with_source(R"(type = "socket"; ip = "127.0.0.1";)"), "raw.interface.port", "is missing"));
+  EXPECT_TRUE(errs(with_source(R"(type = "soundcard_name";)"), "raw.interface.devicename", "is missing"));
+  EXPECT_TRUE(errs(with_source(R"(type = "pulseaudio";)"), "raw.interface.source", "is missing"));
+  EXPECT_TRUE(clean(with_source(R"(type = "soundcard"; card = 1; device = 0;)")));
+  EXPECT_TRUE(clean(with_source(R"(type = "pulseaudio"; source = "mic"; channelmap = ("left", "right");)")));
+}
+
+TEST(CheckInterfaces, want_one_position_for_each_channel_of_pulseaudio) {
+  EXPECT_TRUE(errs(with_source(R"(type = "pulseaudio"; source = "mic"; channelmap = ("left");)"),
+                   "raw.interface.channelmap", "has 1 names, but raw.nChannels is 2"));
+}
+
+TEST(CheckInterfaces, know_that_a_source_is_no_sink_and_a_sink_no_source) {
+  EXPECT_TRUE(
+      errs(with_source(R"(type = "terminal";)"), "raw.interface.type", "must be \"blackhole\", \"file\""));
+  EXPECT_TRUE(
+      errs(with_text("sst", "tracked", "json", "soundcard"), "sst.tracked.interface.type", "must be"));
+  EXPECT_TRUE(errs(read_with(R"(sss: { separated: { interface: { type = "terminal"; }; }; };)"),
+                   "sss.separated.interface.type", "cannot show sound"));
+}
+
+TEST(CheckInterfaces, take_every_pair_that_ODAS_takes) {
+  for (const char* type : {"file", "socket", "terminal"}) {
+    EXPECT_TRUE(clean(with_text("ssl", "potential", "json", type))) << type;
+    EXPECT_TRUE(clean(with_text("sst", "tracked", "json", type))) << type;
+    EXPECT_TRUE(clean(with_text("classify", "category", "json", type))) << type;
+  }
+  EXPECT_TRUE(clean(with_text("ssl", "potential", "binary", "file")));
+  EXPECT_TRUE(clean(with_text("ssl", "potential", "undefined", "blackhole")));
+}
+
+TEST(CheckInterfaces, take_JSON_lines_and_ignore_the_format_of_what_nobody_hears) {
+  EXPECT_TRUE(clean(with_text("sst", "tracked", "jsonl", "file")));
+  EXPECT_TRUE(clean(with_text("sst", "tracked", "jsonl", "terminal")));
+  EXPECT_TRUE(clean(with_text("sst", "tracked", "json", "blackhole"))) << "ODAS refuses this one";
+}
+
+TEST(CheckInterfaces, refuse_pairs_that_cannot_be_written) {
+  EXPECT_TRUE(errs(with_text("sst", "tracked", "undefined", "file"), "sst.tracked.format",
+                   "is \"undefined\", but the interface is a file; must be \"json\" or \"jsonl\""));
+  EXPECT_TRUE(errs(read_with(R"(sst: { tracked: { interface: { type = "terminal"; }; }; };)"),
+                   "sst.tracked.format", "is missing, but the interface is a terminal"));
+  EXPECT_TRUE(errs(with_text("ssl", "potential", "binary", "terminal"), "ssl.potential.format",
+                   "only a file can be"));
+  EXPECT_TRUE(errs(with_text("sst", "tracked", "binary", "file"), "sst.tracked.format",
+                   "which only ssl.potential can be"));
+}
+
+TEST(CheckInterfaces, load_a_placeholder_for_an_address_and_say_so) {
+  const auto loaded =
+      read_with(R"(sss: { separated: { interface: { type = "socket"; ip = "<IP>"; port = 10000; }; }; };)");
+  EXPECT_TRUE(loaded.ok());
+  EXPECT_TRUE(warns(loaded, "sss.separated.interface.ip", "put the address of the peer here"));
+}
+
+TEST(CheckInterfaces, refuse_two_writers_of_one_file) {
+  const auto loaded = read_with(R"(sss: {
+    separated: { interface: { type = "file"; path = "voices.raw"; }; };
+    postfiltered: { interface: { type = "file"; path = "./voices.raw"; }; }; };)");
+  EXPECT_TRUE(errs(loaded, "sss.postfiltered.interface.path", "the file of sss.separated.interface already"));
+  EXPECT_TRUE(clean(read_with(R"(sss: {
+    separated: { interface: { type = "file"; path = "/dev/null"; }; };
+    postfiltered: { interface: { type = "file"; path = "/dev/null"; }; }; };)")));
+}
+
+}  // namespace
+}  // namespace odas
