@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "odas/separation/delay_and_sum.hpp"
+
+#include <cmath>
+#include <complex>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace odas {
+namespace {
+
+GeneralConfig ring(std::size_t mics, float radius = 0.1F) {
+  GeneralConfig general;
+  general.spatialfilters.emplace();
+  for (std::size_t m = 0; m < mics; ++m) {
+    const Vec3 p = radius * direction_of(360.F * static_cast<float>(m) / static_cast<float>(mics), 0);
+    MicConfig mic;
+    mic.mu = {p.x, p.y, p.z};
+    general.mics.push_back(mic);
+  }
+  return general;
+}
+
+/// What the microphones hear of a plane wave whose spectrum at the origin is `source`.
+Grid<cfloat> plane_wave(const GeneralConfig& general, Vec3 u, std::span<const cfloat> source) {
+  const Steering steering(general);
+  std::vector<float> gains(steering.mics());
+  steering.gains(u, gains);
+  Grid<cfloat> spectra(steering.mics(), steering.bins());
+  for (std::size_t m = 0; m < steering.mics(); ++m) {
+    steering.row(m, u, gains[m], spectra[m]);
+    for (std::size_t k = 0; k < source.size(); ++k) spectra[m][k] *= source[k];
+  }
+  return spectra;
+}
+
+std::vector<cfloat> noise(std::size_t bins, unsigned seed = 1) {
+  std::mt19937 random(seed);
+  std::normal_distribution<float> normal;
+  std::vector<cfloat> out(bins);
+  for (cfloat& x : out) x = {normal(random), normal(random)};
+  return out;
+}
+
+Track track(std::uint64_t id, Vec3 direction) { return {.id = id, .tag = {}, .direction = direction}; }
+
+double power(std::span<const cfloat> x) {
+  double sum = 0;
+  for (const cfloat v : x) sum += static_cast<double>(std::norm(v));
+  return sum;
+}
+
+double distance(std::span<const cfloat> a, std::span<const cfloat> b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += static_cast<double>(std::norm(a[k] - b[k]));
+  return std::sqrt(sum / power(b));
+}
+
+TEST(DelayAndSum, gives_back_a_plane_wave_from_the_look_direction) {
+  for (const std::size_t mics : {1U, 2U, 3U, 4U, 7U, 8U, 16U, 17U}) {
+    const GeneralConfig general = ring(mics);
+    const Vec3 u = direction_of(77, 20);
+    const auto source = noise(129);
+    DelayAndSum beamformer(general, 1);
+    Grid<cfloat> beam(1, 129);
+    const std::array tracks{track(1, u)};
+    beamformer.separate(plane_wave(general, u, source), tracks, beam);
+    EXPECT_LT(distance(beam[0], source), 1e-5) << mics << " mics";
+  }
+}
+
+TEST(DelayAndSum, gives_back_a_plane_wave_through_microphones_that_point_outwards) {
+  GeneralConfig general = ring(8);
+  for (MicConfig& mic : general.mics) {
+    mic.direction = mic.mu;
+    mic.angle = {60, 120};
+  }
+  const Vec3 u = direction_of(10, 0);
+  const auto source = noise(129);
+  DelayAndSum beamformer(general, 1);
+  Grid<cfloat> beam(1, 129);
+  const std::array tracks{track(1, u)};
+  beamformer.separate(plane_wave(general, u, source), tracks, beam);
+  EXPECT_LT(distance(beam[0], source), 1e-5);
+  // The microphone on the far side does not hear it, and has no part in it.
+  EXPECT_EQ(power(beamformer.weights(0)[4]), 0);
+  EXPECT_GT(power(beamformer.weights(0)[0]), 0);
+}
+
+TEST(DelayAndSum, attenuates_a_plane_wave_from_elsewhere) {
+  const GeneralConfig general = ring(16, 0.15F);
+  DelayAndSum beamformer(general, 1);
+  Grid<cfloat> beam(1, 129);
+  const std::array tracks{track(1, direction_of(0, 0))};
+  const auto source = noise(129);
+  beamformer.separate(plane_wave(general, direction_of(90, 0), source), tracks, beam);
+  EXPECT_LT(power(beam[0]), 0.3 * power(source));
+}
+
+TEST(DelayAndSum, equals_the_formula_in_every_slot) {
+  const GeneralConfig general = ring(5);
+  DelayAndSum beamformer(general, 3);
+  Grid<cfloat> spectra(5, 129);
+  for (std::size_t m = 0; m < 5; ++m) {
+    const auto x = noise(129, static_cast<unsigned>(m));
+    std::copy(x.begin(), x.end(), spectra[m].begin());
+  }
+  const std::array tracks{track(4, direction_of(10, 0)), track(0, direction_of(90, 0)),
+                          track(9, direction_of(-120, 45))};
+  Grid<cfloat> beams(3, 129);
+  beams.fill({7, 7});
+  beamformer.separate(spectra, tracks, beams);
+  for (std::size_t s = 0; s < 3; ++s) {
+    for (std::size_t k = 0; k < 129; ++k) {
+      std::complex<double> expected = 0;
+      for (std::size_t m = 0; m < 5 && tracks[s].id != 0; ++m) {
+        const Vec3 p{general.mics[m].mu[0], general.mics[m].mu[1], general.mics[m].mu[2]};
+        const double phase = 2 * M_PI * static_cast<double>(k) / 256 * 16000 / 343 *
+                             static_cast<double>(dot(p, tracks[s].direction));
+        expected += std::polar(0.2, -phase) * std::complex<double>(spectra[m][k]);
+      }
+      EXPECT_LT(std::abs(std::complex<double>(beams[s][k]) - expected), 2e-5) << s << ' ' << k;
+    }
+  }
+}
+
+TEST(DelayAndSum, follows_a_direction_that_moves) {
+  const GeneralConfig general = ring(8);
+  DelayAndSum moved(general, 1);
+  Grid<cfloat> beam(1, 129);
+  const auto source = noise(129);
+  for (const float azimuth : {0.F, 0.01F, 90.F, 90.F, -45.F}) {
+    const Vec3 u = direction_of(azimuth, 10);
+    const std::array tracks{track(1, u)};
+    moved.separate(plane_wave(general, u, source), tracks, beam);
+    EXPECT_LT(distance(beam[0], source), 1e-5) << azimuth;
+  }
+}
+
+// ODAS's fault B7: a track whose direction no microphone hears crashed it.
+TEST(DelayAndSum, is_silent_towards_a_direction_that_no_microphone_hears) {
+  GeneralConfig general = ring(4);
+  for (MicConfig& mic : general.mics) mic.angle = {80, 90};
+  DelayAndSum beamformer(general, 2);
+  const auto source = noise(129);
+  Grid<cfloat> spectra(4, 129);
+  for (std::size_t m = 0; m < 4; ++m) std::copy(source.begin(), source.end(), spectra[m].begin());
+  Grid<cfloat> beams(2, 129);
+  beams.fill({7, 7});
+  const std::array tracks{track(1, direction_of(0, -11)), track(2, direction_of(0, 80))};
+  beamformer.separate(spectra, tracks, beams);
+  EXPECT_EQ(power(beams[0]), 0);
+  EXPECT_GT(power(beams[1]), 0);
+  for (std::size_t m = 0; m < 4; ++m) EXPECT_EQ(power(beamformer.weights(0)[m]), 0);
+}
+
+TEST(DelayAndSum, weighs_nothing_in_a_slot_that_fell_empty) {
+  const GeneralConfig general = ring(4);
+  DelayAndSum beamformer(general, 1);
+  Grid<cfloat> spectra(4, 129);
+  Grid<cfloat> beams(1, 129);
+  beamformer.separate(spectra, std::array{track(1, {1, 0, 0})}, beams);
+  EXPECT_GT(power(beamformer.weights(0)[0]), 0);
+  beamformer.separate(spectra, std::array{track(0, {1, 0, 0})}, beams);
+  EXPECT_EQ(power(beamformer.weights(0)[0]), 0);
+}
+
+}  // namespace
+}  // namespace odas
