@@ -37,7 +37,7 @@ function circle(height, meridian) {
 
 function drawSphere(canvas, time) {
   const [c, width, height] = fit(canvas);
-  const radius = Math.min(width, height) / 2 - 20;
+  const radius = Math.min(width - 40, height) / 2 - 20;
   const at = ([right, up]) => [width / 2 + radius * right, height / 2 - radius * up];
 
   c.fillStyle = theme("--page");
