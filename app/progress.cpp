@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "progress.hpp"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
+
+#include <fmt/format.h>
+#include <unistd.h>
 
 namespace odas {
 
