@@ -13,7 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace odas::test_support {
+namespace odas::test {
 namespace {
 
 struct Channel {
@@ -98,4 +98,4 @@ ProgramRun run_program(const std::vector<std::string>& command, const ProgramOpt
   return run;
 }
 
-}  // namespace odas::test_support
+}  // namespace odas::test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace odas::test_support {
+namespace odas::test {
 
 /// One of the built programs: "odas", "odaslive".
 inline std::string program_path(const std::string& name) {
@@ -33,4 +33,4 @@ struct ProgramOptions {
 [[nodiscard]] ProgramRun run_program(const std::vector<std::string>& command,
                                      const ProgramOptions& options = {});
 
-}  // namespace odas::test_support
+}  // namespace odas::test
