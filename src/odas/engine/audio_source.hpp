@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "odas/base/grid.hpp"
+#include "odas/engine/io_status.hpp"
+
+namespace odas {
+
+/// What one read gave.
+struct ReadResult {
+  std::size_t frames = 0;  // delivered: columns 0 .. frames-1 of the block
+  bool end = false;        // there is no more after these
+  IoStatus status;         // why it ended, if not by itself; then `end` is true
+};
+
+/// Where the microphones come from: a file, a sound card, a socket. Full scale is 1.
+class AudioSource {
+ public:
+  virtual ~AudioSource() = default;
+
+  [[nodiscard]] virtual std::size_t channels() const noexcept = 0;
+  [[nodiscard]] virtual int sample_rate() const noexcept = 0;
+
+  /// Paced by a clock that does not wait for us: what is not taken in time is lost.
+  [[nodiscard]] virtual bool live() const noexcept = 0;
+
+  /// Length of the whole, where it is known.
+  [[nodiscard]] virtual std::optional<std::uint64_t> total_frames() const noexcept { return std::nullopt; }
+
+  /// Fills `block` [channel][frame]. A recording fills all of it until its end; a live source gives what it
+  /// has within a tenth of a second, which may be nothing, so that the program stays able to stop.
+  [[nodiscard]] virtual ReadResult read(GridView<float> block) = 0;
+
+  /// What was odd about the recording, known at its end: "ends early, ...". Empty: nothing.
+  [[nodiscard]] virtual std::string warning() const { return {}; }
+};
+
+}  // namespace odas
