@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "odas/tracking/slot_tracker.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "odas/base/contract.hpp"
+#include "odas/tracking/kalman.hpp"
+
+namespace odas {
+
+template <class Filter>
+SlotTracker<Filter>::SlotTracker(const SstConfig& config, const TrackerContext& context,
+                                 const Filter& prototype)
+    : config_(config),
+      dynamic_(config.add == "dynamic"),
+      prototype_(prototype),
+      association_(config, config.slots(), context.potentials, context.heard_share),
+      slots_(config.slots(), Slot{.filter = prototype}) {}
+
+template <class Filter>
+void SlotTracker<Filter>::reset() noexcept {
+  for (Slot& slot : slots_) slot = Slot{.filter = prototype_};
+  last_id_ = 0;
+}
+
+template <class Filter>
+void SlotTracker<Filter>::update(std::span<const Potential> potentials, std::span<Track> tracks) noexcept {
+  ODAS_EXPECT(tracks.size() == slots_.size());
+  follow_targets();
+  const auto living = static_cast<std::size_t>(
+      std::count_if(slots_.begin(), slots_.end(), [](const Slot& s) { return s.stage != Stage::free; }));
+  associate(potentials);
+  follow(potentials);
+  if (dynamic_) {
+    open_new(potentials);
+    remove_lost(living);
+  }
+  for (std::size_t t = 0; t < slots_.size(); ++t) {
+    const Slot& slot = slots_[t];
+    const bool seen = slot.stage == Stage::active || slot.stage == Stage::target;
+    tracks[t] =
+        seen ? Track{slot.id, slot.tag, slot.filter.direction(), static_cast<float>(slot.activity)} : Track{};
+  }
+}
+
+template <class Filter>
+void SlotTracker<Filter>::follow_targets() noexcept {
+  for (const TargetConfig& target : config_.target) {
+    const ShortString<63> tag(target.tag);
+    const auto has_tag = [&](const Slot& s) { return s.stage == Stage::target && s.tag == tag; };
+    if (std::any_of(slots_.begin(), slots_.end(), has_tag)) continue;
+    const auto is_free = [](const Slot& s) { return s.stage == Stage::free; };
+    const auto slot = std::find_if(slots_.begin(), slots_.end(), is_free);
+    if (slot == slots_.end()) return;
+    start(*slot, Stage::target, tag, normalized({target.x, target.y, target.z}));
+  }
+}
+
+template <class Filter>
+void SlotTracker<Filter>::associate(std::span<const Potential> potentials) noexcept {
+  for (std::size_t t = 0; t < slots_.size(); ++t) {
+    Slot& slot = slots_[t];
+    if (slot.stage == Stage::free) {
+      association_.set_dead(t);
+      continue;
+    }
+    if (slot.stage != Stage::target) slot.filter.predict();
+    for (std::size_t s = 0; s < potentials.size(); ++s) {
+      association_.set_track(t, s, slot.filter.log_likelihood(potentials[s].direction, sigma2(slot.stage)));
+    }
+  }
+  association_.solve(potentials);
+}
+
+template <class Filter>
+void SlotTracker<Filter>::follow(std::span<const Potential> potentials) noexcept {
+  for (std::size_t t = 0; t < slots_.size(); ++t) {
+    Slot& slot = slots_[t];
+    if (slot.stage == Stage::free) continue;
+    slot.activity = association_.activity(t);
+    if (slot.stage == Stage::target) continue;
+    slot.filter.update(potentials, association_.from_track(t), slot.activity, sigma2(slot.stage));
+    if (slot.stage == Stage::active) {
+      slot.silent_hops =
+          slot.activity >= static_cast<double>(config_.theta_inactive) ? 0 : slot.silent_hops + 1;
+    } else {
+      ++slot.hops_on_probation;
+      slot.activity_on_probation += slot.activity;
+      const double mean = slot.activity_on_probation / slot.hops_on_probation;
+      if (slot.hops_on_probation >= config_.n_prob && mean >= static_cast<double>(config_.theta_prob)) {
+        slot.stage = Stage::active;
+        slot.silent_hops = 0;
+      }
+    }
+  }
+}
+
+template <class Filter>
+void SlotTracker<Filter>::remove_lost(std::size_t living) noexcept {
+  if (living == 0) return;
+  const int patience = config_.n_inactive[living - 1];
+  for (Slot& slot : slots_) {
+    const bool failed = slot.stage == Stage::probation && slot.hops_on_probation >= config_.n_prob;
+    const bool lost = slot.stage == Stage::active && slot.silent_hops >= patience;
+    if (failed || lost) slot = Slot{.filter = prototype_};
+  }
+}
+
+template <class Filter>
+void SlotTracker<Filter>::open_new(std::span<const Potential> potentials) noexcept {
+  for (std::size_t s = 0; s < potentials.size(); ++s) {
+    if (probability_new(s, potentials) <= static_cast<double>(config_.theta_new)) continue;
+    const auto is_free = [](const Slot& slot) { return slot.stage == Stage::free; };
+    const auto slot = std::find_if(slots_.begin(), slots_.end(), is_free);
+    if (slot == slots_.end()) return;
+    start(*slot, Stage::probation, "dynamic", potentials[s].direction);
+  }
+}
+
+template <class Filter>
+double SlotTracker<Filter>::probability_new(std::size_t potential,
+                                            std::span<const Potential> potentials) const noexcept {
+  double least = association_.is_new(potential);
+  for (const Slot& slot : slots_) {
+    const bool just_born = slot.stage == Stage::probation && slot.hops_on_probation == 0;
+    if (!just_born) continue;
+    const double fit = slot.filter.log_likelihood(potentials[potential].direction, sigma2(slot.stage));
+    least = std::min(least, association_.is_new_beside(potential, fit));
+  }
+  return least;
+}
+
+template <class Filter>
+double SlotTracker<Filter>::sigma2(Stage stage) const noexcept {
+  if (stage == Stage::probation) return static_cast<double>(config_.sigma_r2_prob);
+  if (stage == Stage::target) return static_cast<double>(config_.sigma_r2_target);
+  return static_cast<double>(config_.sigma_r2_active);
+}
+
+template <class Filter>
+void SlotTracker<Filter>::start(Slot& slot, Stage stage, const ShortString<63>& tag,
+                                Vec3 direction) noexcept {
+  slot = Slot{.filter = prototype_};
+  slot.stage = stage;
+  slot.id = ++last_id_;
+  slot.tag = tag;
+  slot.filter.start(direction);
+}
+
+template class SlotTracker<Kalman>;
+
+}  // namespace odas
