@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "odas/pipeline/pipeline.hpp"
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "odas/dsp/mcra.hpp"
+#include "odas/dsp/stft.hpp"
+#include "odas/localization/registry.hpp"
+#include "odas/pipeline/input_guard.hpp"
+#include "odas/separation/registry.hpp"
+#include "odas/tracking/tracker.hpp"
+
+namespace odas {
+namespace {
+
+/// What is computed follows from what is wanted: each stage because of the later ones that need it.
+struct Stages {
+  explicit Stages(const Wanted& wanted)
+      : post_filter(wanted.postfiltered),
+        beamformer(wanted.separated || post_filter),
+        tracker(wanted.tracks || beamformer),
+        localizer(wanted.potentials || tracker) {}
+  bool post_filter, beamformer, tracker, localizer;
+};
+
+std::size_t size(int value) { return static_cast<std::size_t>(value); }
+
+}  // namespace
+
+struct Pipeline::Parts {
+  explicit Parts(const PipelineConfig& config);
+
+  [[nodiscard]] std::size_t slots() const noexcept { return tracks.size(); }
+
+  // What the configuration says
+  Wanted wanted;
+  std::size_t mics, hop_size, frame_size;
+  int sample_rate;
+
+  // The stages; those that nobody needs are absent
+  InputGuard guard;
+  Stft stft;
+  std::optional<Mcra> noise;
+  std::unique_ptr<Localizer> localizer;
+  std::unique_ptr<Tracker> tracker;
+  std::unique_ptr<Beamformer> beamformer;
+  std::unique_ptr<PostFilter> post_filter;
+  std::optional<Istft> separated_istft, postfiltered_istft;
+
+  // What goes from stage to stage
+  HopIndex time = 0;
+  Grid<cfloat> spectra;  // [mic][bin]
+  std::vector<Potential> potentials;
+  std::vector<Track> tracks;            // [slot]
+  Grid<cfloat> beams, filtered;         // [slot][bin]
+  Grid<float> separated, postfiltered;  // [slot][hop]
+};
+
+Pipeline::Parts::Parts(const PipelineConfig& config)
+    : wanted(config.wanted),
+      mics(config.general.mics.size()),
+      hop_size(size(config.general.size.hop_size)),
+      frame_size(size(config.general.size.frame_size) / 2 * 2),
+      sample_rate(config.general.samplerate.mu),
+      guard(mics, hop_size),
+      stft(mics, hop_size, frame_size),
+      spectra(mics, stft.bins()),
+      tracks(config.sst.slots()) {
+  const Stages stages(wanted);
+  if (stages.localizer) {
+    localizer = make_localizer(config.general, config.ssl);
+    potentials.resize(size(config.ssl.n_pots));
+  }
+  if (stages.tracker) {
+    tracker = make_tracker(config.sst, {static_cast<double>(hop_size) / sample_rate,
+                                        localizer->plan().heard_share, potentials.size()});
+  }
+  if (stages.beamformer) {
+    beamformer = make_beamformer(config.sss, config.general, slots());
+    beams = Grid<cfloat>(slots(), stft.bins());
+  }
+  if (wanted.separated) {
+    separated_istft.emplace(slots(), hop_size, frame_size);
+    separated = Grid<float>(slots(), hop_size);
+  }
+  if (stages.post_filter) {
+    post_filter = make_post_filter(config.sss, config.sne, config.general, slots());
+    filtered = Grid<cfloat>(slots(), stft.bins());
+    postfiltered_istft.emplace(slots(), hop_size, frame_size);
+    postfiltered = Grid<float>(slots(), hop_size);
+  }
+  if ((localizer && localizer->needs_noise()) || (post_filter && post_filter->needs_noise())) {
+    noise.emplace(config.sne, mics, stft.bins());
+  }
+}
+
+Pipeline::Pipeline(const PipelineConfig& config) : parts_(std::make_unique<Parts>(config)) {}
+Pipeline::~Pipeline() = default;
+Pipeline::Pipeline(Pipeline&&) noexcept = default;
+Pipeline& Pipeline::operator=(Pipeline&&) noexcept = default;
+
+HopResult Pipeline::process_hop(GridView<const float> mics) noexcept {
+  Parts& p = *parts_;
+  ODAS_EXPECT(mics.rows() == p.mics && mics.cols() == p.hop_size);
+  ++p.time;
+  p.stft.analyse(p.guard.pass(mics), p.spectra);
+  if (p.noise) p.noise->update(p.spectra);
+  const GridView<const float> noise_psd = p.noise ? p.noise->psd() : GridView<const float>();
+  if (p.localizer) p.localizer->locate(p.spectra, noise_psd, p.potentials);
+  if (p.tracker) p.tracker->update(p.potentials, p.tracks);
+  if (p.beamformer) p.beamformer->separate(p.spectra, p.tracks, p.beams);
+  if (p.separated_istft) p.separated_istft->synthesise(p.beams, p.separated);
+  if (p.post_filter) {
+    p.post_filter->apply(p.spectra, noise_psd, p.tracks, *p.beamformer, p.beams, p.filtered);
+    p.postfiltered_istft->synthesise(p.filtered, p.postfiltered);
+  }
+  return {p.time, p.potentials, p.tracks, p.separated, p.postfiltered};
+}
+
+void Pipeline::reset() noexcept {
+  Parts& p = *parts_;
+  p.time = 0;
+  p.guard.reset();
+  p.stft.reset();
+  if (p.noise) p.noise->reset();
+  if (p.localizer) p.localizer->reset();
+  if (p.tracker) p.tracker->reset();
+  if (p.beamformer) p.beamformer->reset();
+  if (p.separated_istft) p.separated_istft->reset();
+  if (p.post_filter) p.post_filter->reset();
+  if (p.postfiltered_istft) p.postfiltered_istft->reset();
+}
+
+std::size_t Pipeline::mics() const noexcept { return parts_->mics; }
+std::size_t Pipeline::hop_size() const noexcept { return parts_->hop_size; }
+std::size_t Pipeline::slots() const noexcept { return parts_->slots(); }
+int Pipeline::sample_rate() const noexcept { return parts_->sample_rate; }
+std::uint64_t Pipeline::non_finite_samples() const noexcept { return parts_->guard.refused(); }
+
+Pipeline::Plan Pipeline::plan() const {
+  const Parts& p = *parts_;
+  Plan plan;
+  plan.latency_ms = 1000.0 * static_cast<double>(p.frame_size - p.hop_size) / p.sample_rate;
+  plan.memory_bytes = sizeof(float) * (p.mics * (p.frame_size + p.hop_size) +
+                                       2 * p.stft.bins() * (p.mics + p.beams.rows() + p.filtered.rows()) +
+                                       p.slots() * (p.frame_size + p.hop_size) *
+                                           (p.wanted.separated + p.wanted.postfiltered));
+  if (p.localizer) {
+    const LocalizerPlan located = p.localizer->plan();
+    plan.pairs = located.pairs;
+    plan.pairs_used = located.pairs_used;
+    for (const auto& scan : located.scans)
+      plan.scans.push_back({scan.level, scan.points, scan.active_points});
+    plan.lags = located.lags;
+    plan.half_sphere = located.half_sphere;
+    plan.memory_bytes += located.memory_bytes;
+  }
+  return plan;
+}
+
+}  // namespace odas
