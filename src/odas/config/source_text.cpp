@@ -2,6 +2,7 @@
 #include "odas/config/source_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <fstream>
 #include <limits>
@@ -33,13 +34,15 @@ std::optional<std::string> read_bytes(const fs::path& path, std::string& why) {
     why = "cannot be opened: is it readable for you?";
     return std::nullopt;
   }
-  std::string bytes(kMaxBytes + 1, '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  std::string bytes;
+  std::array<char, 1U << 16U> block{};
+  while (bytes.size() <= kMaxBytes && (file.read(block.data(), block.size()) || file.gcount() > 0)) {
+    bytes.append(block.data(), static_cast<std::size_t>(file.gcount()));
+  }
   if (file.bad()) {
     why = "cannot be read";
     return std::nullopt;
   }
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
   if (bytes.size() > kMaxBytes) {
     why = "is larger than 4 MiB: this is no configuration";
     return std::nullopt;
