@@ -64,6 +64,12 @@ std::string pointing(const std::array<float, 3>& direction) {
   return fixed(azimuth_deg(u), 0) + ", " + fixed(elevation_deg(u), 0);
 }
 
+/// Half-angles: all passes up to the first, nothing from the second on.
+std::string hearing(const std::array<float, 2>& angle) {
+  if (angle[0] >= 180) return "everything";
+  return number_text(angle[0]) + (angle[0] == angle[1] ? "" : " to " + number_text(angle[1])) + " deg";
+}
+
 std::string channel_of(const Configuration& config, std::size_t mic) {
   const std::vector<int>& map = config.mapping.map;
   if (map.empty()) return whole(mic + 1);
@@ -89,12 +95,12 @@ std::string describe_array(const Configuration& config, const Pipeline::Plan& pl
                                " Hz (widest) or " + fixed(c / (2 * closest), 0) + " Hz (closest) on");
   text += line("pairs", whole(plan.pairs_used) + " of " + whole(plan.pairs) + " hear a common direction");
   Table table;
-  table.row({"mic", "channel", "x (m)", "y (m)", "z (m)", "points (az, el)", "full pass", "no pass"});
+  table.row({"mic", "channel", "x (mm)", "y (mm)", "z (mm)", "points (az, el)", "hears around it"});
   for (std::size_t m = 0; m < general.mics.size(); ++m) {
     const MicConfig& mic = general.mics[m];
-    table.row({whole(m + 1), channel_of(config, m), fixed(mic.mu[0], 4), fixed(mic.mu[1], 4),
-               fixed(mic.mu[2], 4), pointing(mic.direction), number_text(mic.angle[0]) + " deg",
-               number_text(mic.angle[1]) + " deg"});
+    const auto mm = [&](std::size_t axis) { return fixed(1000.0 * mic.mu[axis], 2); };
+    table.row({whole(m + 1), channel_of(config, m), mm(0), mm(1), mm(2), pointing(mic.direction),
+               hearing(mic.angle)});
   }
   return text + table.text();
 }
@@ -105,9 +111,9 @@ std::string listened_to(const Configuration& config, const Pipeline::Plan& plan)
   if (!filters || filters->empty()) return "full sphere";
   std::string text;
   for (const SpatialFilterConfig& filter : *filters) {
-    text += (text.empty() ? "" : " and ") + number_text(filter.angle[0]) + " to " +
-            number_text(filter.angle[1]) + " deg around (" + number_text(filter.direction[0]) + ", " +
-            number_text(filter.direction[1]) + ", " + number_text(filter.direction[2]) + ")";
+    text += (text.empty() ? "" : " and ") + hearing(filter.angle) + " around (" +
+            number_text(filter.direction[0]) + ", " + number_text(filter.direction[1]) + ", " +
+            number_text(filter.direction[2]) + ")";
   }
   return text;
 }
