@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Runs ODAS's own configurations on scenes of which ODAS's output is known.
-#include <gtest/gtest.h>
-#include <sndfile.h>
-
 #include <iostream>
 #include <map>
 #include <set>
 
+#include "support/goldens.hpp"
+#include <gtest/gtest.h>
+#include <sndfile.h>
+
 #include "odas/config/reader.hpp"
 #include "odas/pipeline/pipeline.hpp"
-#include "support/goldens.hpp"
 
 namespace odas {
 namespace {
@@ -19,7 +19,9 @@ using test::thousandths;
 
 constexpr float kOneDegree = 1;
 
-float angle_deg(Vec3 a, Vec3 b) { return degrees(std::acos(std::clamp(dot(normalized(a), normalized(b)), -1.F, 1.F))); }
+float angle_deg(Vec3 a, Vec3 b) {
+  return degrees(std::acos(std::clamp(dot(normalized(a), normalized(b)), -1.F, 1.F)));
+}
 
 /// The recording as [mic][frame], with the hop of silence that ODAS puts first.
 Grid<float> read_recording(const std::filesystem::path& file, std::size_t hop) {
@@ -88,7 +90,8 @@ TEST_P(Conformance, Potentials_are_those_that_ODAS_prints) {
       if (!equal) ++different[s];
     }
     const auto strongest = [](const auto& list, auto energy) {
-      return *std::max_element(list.begin(), list.end(), [&](auto& a, auto& b) { return energy(a) < energy(b); });
+      return *std::max_element(list.begin(), list.end(),
+                               [&](auto& a, auto& b) { return energy(a) < energy(b); });
     };
     const auto theirs = strongest(golden[h].rows, [](const test::GoldenRow& r) { return r.value; });
     const Potential own = strongest(ours.potentials[h], [](const Potential& p) { return p.energy; });
@@ -102,6 +105,104 @@ TEST_P(Conformance, Potentials_are_those_that_ODAS_prints) {
   std::cout << "\n";
   EXPECT_GE(share, 0.99);
   EXPECT_GE(near, 0.999);
+}
+
+/// Our id for each of ODAS's, given by the hops that they share nearby in; each is used once.
+std::map<std::uint64_t, std::uint64_t> renaming(const Ours& ours, const std::vector<GoldenHop>& golden) {
+  std::map<std::pair<std::uint64_t, std::uint64_t>, std::size_t> together;
+  for (std::size_t h = 0; h < golden.size(); ++h) {
+    for (const auto& theirs : golden[h].rows) {
+      for (const Track& own : ours.tracks[h]) {
+        if (theirs.id == 0 || own.id == 0) continue;
+        if (angle_deg({theirs.x, theirs.y, theirs.z}, own.direction) <= kOneDegree)
+          ++together[{theirs.id, own.id}];
+      }
+    }
+  }
+  std::vector<std::pair<std::size_t, std::pair<std::uint64_t, std::uint64_t>>> order;
+  for (const auto& [ids, hops] : together) order.push_back({hops, ids});
+  std::sort(order.rbegin(), order.rend());
+  std::map<std::uint64_t, std::uint64_t> names;
+  std::set<std::uint64_t> taken;
+  for (const auto& [hops, ids] : order) {
+    if (names.contains(ids.first) || taken.contains(ids.second)) continue;
+    names[ids.first] = ids.second;
+    taken.insert(ids.second);
+  }
+  return names;
+}
+
+/// The tracks of a hop by our names.
+using Named = std::map<std::uint64_t, Vec3>;
+
+Named named(const GoldenHop& hop, const std::map<std::uint64_t, std::uint64_t>& names) {
+  constexpr std::uint64_t kUnmatched = 1000000;
+  Named tracks;
+  for (const auto& row : hop.rows) {
+    if (row.id == 0) continue;
+    const auto name = names.find(row.id);
+    tracks[name == names.end() ? kUnmatched + row.id : name->second] = {row.x, row.y, row.z};
+  }
+  return tracks;
+}
+
+Named named(const std::vector<Track>& hop) {
+  Named tracks;
+  for (const Track& t : hop) {
+    if (t.id != 0) tracks[t.id] = t.direction;
+  }
+  return tracks;
+}
+
+/// The same tracks within a degree, but for those that are born or die within two hops from here.
+bool same_tracks(const std::vector<Named>& a, const std::vector<Named>& b, std::size_t h) {
+  const auto near_an_end = [&](std::uint64_t id) {
+    const std::size_t first = h >= 2 ? h - 2 : 0;
+    const std::size_t last = std::min(h + 2, a.size() - 1);
+    bool in_a = false;
+    bool in_b = false;
+    for (std::size_t i = first; i <= last; ++i) {
+      in_a = in_a || a[i].contains(id);
+      in_b = in_b || b[i].contains(id);
+    }
+    return in_a && in_b;
+  };
+  for (const auto& [id, direction] : a[h]) {
+    const auto other = b[h].find(id);
+    if (other == b[h].end() ? !near_an_end(id) : angle_deg(direction, other->second) > kOneDegree)
+      return false;
+  }
+  return std::all_of(b[h].begin(), b[h].end(),
+                     [&](const auto& t) { return a[h].contains(t.first) || near_an_end(t.first); });
+}
+
+TEST_P(Conformance, Tracks_are_those_that_ODAS_prints) {
+  const Ours ours = run(scene_);
+  const std::vector<GoldenHop> golden = test::read_goldens(scene_ / "odas/tracks.json.gz");
+  ASSERT_EQ(ours.tracks.size(), golden.size());
+  const auto names = renaming(ours, golden);
+  std::vector<Named> a;
+  std::vector<Named> b;
+  for (std::size_t h = 0; h < golden.size(); ++h) {
+    a.push_back(named(ours.tracks[h]));
+    b.push_back(named(golden[h], names));
+  }
+  std::size_t same = 0;
+  std::string stretches;
+  for (std::size_t h = 0; h < golden.size(); ++h) {
+    if (same_tracks(a, b, h)) {
+      ++same;
+      continue;
+    }
+    std::size_t end = h;
+    while (end < golden.size() && !same_tracks(a, b, end)) ++end;
+    stretches += " " + std::to_string(h + 1) + "-" + std::to_string(end);
+    h = end - 1;
+  }
+  const double share = static_cast<double>(same) / static_cast<double>(golden.size());
+  std::cout << "  " << GetParam() << ": tracks equal in " << 100 * share << " % of hops; " << names.size()
+            << " tracks; other stretches:" << (stretches.empty() ? " none" : stretches) << "\n";
+  EXPECT_GE(share, 0.98);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Conformance,

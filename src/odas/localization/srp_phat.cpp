@@ -87,7 +87,9 @@ Potential SrpPhat::search() noexcept {
         best = c;
       }
     }
-    winner = cell.points[best];
+    // Where all was cut out there is nothing to find: E is 0, and no direction is better than another. Then
+    // the number of the coarse winner stands, in the finest grid too, as ODAS prints it.
+    if (energy != 0 || l == 0) winner = cell.points[best];
   }
   winner_ = winner;
   return {plan_.levels.back().directions[winner], energy};

@@ -20,8 +20,8 @@ namespace odas {
 /// the search begins anew. g is 1, or the a-priori weight of the signal-to-noise ratio (SnrWeights).
 /// Symbols: u direction, i < j microphones, l lag in samples interpolated r times.
 /// Source: Grondin and Michaud, 2019, algorithms 1-4; ODAS paper, 2022, section 2.1.
-/// Departures: only the lags that are read are computed; the best candidate wins even when no correlation is
-/// positive (ODAS then reported a direction of the wrong grid).
+/// Departures: only the lags that are read are computed; the best candidate wins even when all correlations
+/// are negative (ODAS then reported a direction of the wrong grid).
 /// Shapes: spectra [mic][bin] -> potentials, E = 1 for a coherent plane wave on the grid.
 /// Cost per hop: pairs (bins x lags / 2 + potentials x candidates). Delay: none.
 /// Errors: the constructor throws ConfigError. A non-finite bin counts as silent.
