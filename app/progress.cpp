@@ -26,8 +26,9 @@ Progress::Progress() {
   on_terminal_ = isatty(STDERR_FILENO) == 1 && terminal != nullptr && std::string_view(terminal) != "dumb";
 }
 
-Progress::~Progress() {
+void Progress::clear() {
   if (drawn_) std::fputs("\r\033[K", stderr);
+  drawn_ = false;
 }
 
 void Progress::show(double share) {

@@ -13,12 +13,14 @@ namespace odas {
 class Progress {
  public:
   Progress();
-  ~Progress();  // wipes the line
+  ~Progress() { clear(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   /// `share`: 0..1 of the work is done. Cheap: draws at most ten times a second.
   void show(double share);
+  /// Wipes the line, so that something else can be said.
+  void clear();
 
  private:
   using Clock = std::chrono::steady_clock;

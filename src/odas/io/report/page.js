@@ -20,6 +20,7 @@ function fillTable() {
   byId("sources").append(
     element("thead", {}, element("tr", {}, ...head.map((h) => element("th", { scope: "col" }, h)))),
     element("tbody", {}, ...rows));
+  if (rows.length === 0) byId("who").hidden = true;
 }
 
 const link = (file) => file.split("/").map(encodeURIComponent).join("/");
@@ -47,7 +48,9 @@ function addClips() {
     byId("listen").append(element("option", {}, clip.name));
     scrubbed(clip.canvas, kGutter);
   }
-  if (data.clips.length === 0) byId("clips").append(element("p", { class: "hint" }, "No sound was written."));
+  if (data.clips.length > 0) return;
+  byId("clips").append(element("p", { class: "hint" }, "No sound was written."));
+  byId("play").hidden = byId("listen").hidden = true;
 }
 
 /** A press or a drag on the canvas moves the common position. */
@@ -58,6 +61,7 @@ function scrubbed(canvas, gutter = 0) {
 }
 
 function showPosition() {
+  if (bringIntoSight(player.time)) drawTimeline();
   const now = clock(player.time);
   byId("cursor").style.left = `${timeToX(player.time, byId("timeline").clientWidth)}px`;
   byId("clock").textContent = byId("now-time").textContent = now;
@@ -87,10 +91,14 @@ function showState() {
 }
 
 const lowest = [data.potentials, ...data.sources].flatMap((s) => s.elevation).reduce((a, b) => Math.min(a, b), 0);
-function drawAll() {
+function drawTimeline() {
   drawAngles(byId("azimuth"), "azimuth", -180, 180, 90, true);
   drawAngles(byId("elevation"), "elevation", lowest < -5 ? -90 : 0, 90, lowest < -5 ? 45 : 30, false);
   for (const clip of data.clips) drawWaveform(clip.canvas, clip);
+}
+
+function drawAll() {
+  drawTimeline();
   showPosition();
 }
 
@@ -108,6 +116,9 @@ addClips();
 describePlots();
 for (const key of ["azimuth", "elevation"]) scrubbed(byId(key));
 makeTurnable(byId("sphere"), () => drawSphere(byId("sphere"), player.time));
+for (const [id, factor] of [["zoom-in", 0.5], ["zoom-out", 2]]) {
+  byId(id).addEventListener("click", () => { zoom(factor, player.time); drawAll(); });
+}
 player.onmove = showPosition;
 player.onstate = showState;
 byId("seek").max = data.seconds;

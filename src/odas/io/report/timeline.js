@@ -1,12 +1,34 @@
 // Angles and waveforms over one common axis of time.
 const kGutter = 52, kRight = 14;  // --gutter in report.css
 const kBottom = 22;
-const timeToX = (time, width) => kGutter + (time / data.seconds) * (width - kGutter - kRight);
-const xToTime = (x, width) => Math.min(data.seconds, Math.max(0, ((x - kGutter) / (width - kGutter - kRight)) * data.seconds));
+const shown = { from: 0, to: data.seconds };  // the stretch of time in sight
+const perSecond = (width) => (width - kGutter - kRight) / (shown.to - shown.from);
+const timeToX = (time, width) => kGutter + (time - shown.from) * perSecond(width);
+const xToTime = (x, width) => Math.min(shown.to, Math.max(shown.from, shown.from + (x - kGutter) / perSecond(width)));
+
+function show(from, length) {
+  shown.from = Math.max(0, Math.min(data.seconds - length, from));
+  shown.to = shown.from + length;
+}
+
+/** Shows `factor` times as much time as now; `time` keeps its place. */
+function zoom(factor, time) {
+  const length = shown.to - shown.from;
+  const next = Math.min(data.seconds, Math.max(Math.min(1, data.seconds), length * factor));
+  show(time - ((time - shown.from) * next) / length, next);
+}
+
+/** Turns the page where `time` has left it; true if so. */
+function bringIntoSight(time) {
+  if (time >= shown.from && time <= shown.to) return false;
+  const length = shown.to - shown.from;
+  show(time < shown.from ? time - 0.9 * length : time - 0.1 * length, length);
+  return true;
+}
 
 function timeStep(width) {
   const steps = [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800, 3600];
-  return steps.find((s) => ((width - kGutter) * s) / data.seconds >= 64) || 7200;
+  return steps.find((s) => s * perSecond(width) >= 64) || 7200;
 }
 
 /** Draws an angle of all sources and potentials. `wraps`: -180 and 180 are one place. */
@@ -24,7 +46,7 @@ function drawAngles(canvas, key, low, high, step, wraps) {
   }
   const tick = timeStep(width);
   c.textAlign = "center";
-  for (let time = 0; time <= data.seconds; time += tick) {
+  for (let time = Math.ceil(shown.from / tick) * tick; time <= shown.to; time += tick) {
     c.fillStyle = theme("--grid");
     c.fillRect(Math.round(timeToX(time, width)), 6, 1, height - kBottom - 6);
     c.fillStyle = theme("--quiet");
@@ -37,7 +59,8 @@ function drawAngles(canvas, key, low, high, step, wraps) {
   c.clip();
   drawPotentials(c, key, (time) => timeToX(time, width), y);
   for (const source of data.sources) drawTrack(c, source, key, (time) => timeToX(time, width), y, wraps);
-  for (const source of data.sources) drawLabel(c, source, key, width, y);
+  const labels = [];
+  for (const source of data.sources) drawLabel(c, source, key, width, y, labels);
   c.restore();
 }
 
@@ -78,10 +101,15 @@ function drawTrack(c, source, key, x, y, wraps) {
   c.setLineDash([]);
 }
 
-function drawLabel(c, source, key, width, y) {
+/** The number of a source where it is first in sight, unless another number is there. */
+function drawLabel(c, source, key, width, y, labels) {
+  if (source.to < shown.from || source.from > shown.to) return;
   const text = String(source.id), half = 7 + 3.2 * text.length;
-  const x = Math.max(kGutter + half, Math.min(timeToX(source.from, width), width - kRight - half));
-  const top = Math.max(9, y(source[key][0]));
+  const first = Math.max(source.from, shown.from);
+  const x = Math.max(kGutter + half, Math.min(timeToX(first, width), width - kRight - half));
+  const top = Math.max(9, y(placeAt(source, first)[key]));
+  if (labels.some((l) => Math.abs(l.x - x) < l.half + half && Math.abs(l.top - top) < 18)) return;
+  labels.push({ x, top, half });
   c.fillStyle = theme(source.colour);
   c.beginPath();
   c.roundRect(x - half, top - 9, 2 * half, 18, 9);
@@ -96,6 +124,9 @@ function drawLabel(c, source, key, width, y) {
 function drawWaveform(canvas, clip) {
   const [c, fullWidth, height] = fit(canvas);
   const width = fullWidth + kGutter;  // this canvas begins right of the gutter
+  c.beginPath();
+  c.rect(0, 0, fullWidth - kRight, height);
+  c.clip();
   const left = timeToX(clip.start, width) - kGutter, right = timeToX(clip.start + clip.length, width) - kGutter;
   c.fillStyle = theme("--grid");
   c.fillRect(0, height / 2, fullWidth - kRight, 1);
