@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// One function a subcommand, each in a file of its own: it adds itself, its options and its callback.
+// A callback throws ConfigError (exit code 2), any other exception (1), or ExitCode.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace odas {
+
+/// Ends the program with this code, all that there is to say having been said.
+struct ExitCode {
+  int code;
+};
+
+void add_check(CLI::App& app);
+
+}  // namespace odas

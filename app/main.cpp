@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <csignal>
+#include <iostream>
+
+#include "commands.hpp"
+#include <CLI/CLI.hpp>
+
+#include "odas/base/error.hpp"
+
+namespace {
+
+constexpr int kRunTimeFailure = 1;
+constexpr int kWrongUsage = 2;
+
+constexpr std::array kCommands{odas::add_check};
+
+int run(int argc, char** argv) {
+  CLI::App app("odas: artificial hearing for machines", "odas");
+  app.set_version_flag("--version", "odas " ODAS_VERSION);
+  app.require_subcommand(1);
+  app.failure_message(CLI::FailureMessage::help);
+  for (const auto add : kCommands) add(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Help and version come as errors too, with code 0.
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::cerr << "odas: " << error.what() << "\nRun 'odas --help', or 'odas COMMAND --help'.\n";
+    return kWrongUsage;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // a reader of ours that goes away is an error value, not our end
+  try {
+    return run(argc, argv);
+  } catch (const odas::ExitCode& exit) { return exit.code; } catch (const odas::ConfigError& error) {
+    std::cerr << error.what() << '\n';
+    return kWrongUsage;
+  } catch (const std::exception& error) {
+    std::cerr << "odas: " << error.what() << '\n';
+    return kRunTimeFailure;
+  }
+}
