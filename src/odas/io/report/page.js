@@ -43,8 +43,9 @@ function addClips() {
       `${clock(clip.from)} to ${clock(clip.to)}, azimuth ${span(clip.places.azimuth)}, elevation ${span(clip.places.elevation)}`));
     name.append(element("span", {}, `peak ${clip.peak_db} dB`.replace("-", "−")));
     if (clip.file) name.append(element("a", { href: link(clip.file) }, clip.file.split("/").at(-1)));
-    byId("clips").append(element("div", { class: "clip", style: `--colour: var(${clip.colour || "--quiet"})` },
-      name, clip.button, clip.canvas));
+    clip.row = element("div", { class: "clip", style: `--colour: var(${clip.colour || "--quiet"})` },
+      name, clip.button, clip.canvas);
+    byId("clips").append(clip.row);
     byId("listen").append(element("option", {}, clip.name));
     scrubbed(clip.canvas, kGutter);
   }
@@ -94,7 +95,10 @@ const lowest = [data.potentials, ...data.sources].flatMap((s) => s.elevation).re
 function drawTimeline() {
   drawAngles(byId("azimuth"), "azimuth", -180, 180, 90, true);
   drawAngles(byId("elevation"), "elevation", lowest < -5 ? -90 : 0, 90, lowest < -5 ? 45 : 30, false);
-  for (const clip of data.clips) drawWaveform(clip.canvas, clip);
+  for (const clip of data.clips) {
+    clip.row.hidden = clip.start > shown.to || clip.start + clip.length < shown.from;
+    if (!clip.row.hidden) drawWaveform(clip.canvas, clip);
+  }
 }
 
 function drawAll() {
