@@ -3,59 +3,20 @@
 
 #include <cmath>
 #include <complex>
-#include <random>
 
+#include "support/wave_field.hpp"
 #include <gtest/gtest.h>
 
 namespace odas {
 namespace {
 
-GeneralConfig ring(std::size_t mics, float radius = 0.1F) {
-  GeneralConfig general;
-  general.spatialfilters.emplace();
-  for (std::size_t m = 0; m < mics; ++m) {
-    const Vec3 p = radius * direction_of(360.F * static_cast<float>(m) / static_cast<float>(mics), 0);
-    MicConfig mic;
-    mic.mu = {p.x, p.y, p.z};
-    general.mics.push_back(mic);
-  }
-  return general;
-}
+using test::plane_wave;
+using test::power;
+using test::relative_distance;
+using test::ring;
+using test::track;
 
-/// What the microphones hear of a plane wave whose spectrum at the origin is `source`.
-Grid<cfloat> plane_wave(const GeneralConfig& general, Vec3 u, std::span<const cfloat> source) {
-  const Steering steering(general);
-  std::vector<float> gains(steering.mics());
-  steering.gains(u, gains);
-  Grid<cfloat> spectra(steering.mics(), steering.bins());
-  for (std::size_t m = 0; m < steering.mics(); ++m) {
-    steering.row(m, u, gains[m], spectra[m]);
-    for (std::size_t k = 0; k < source.size(); ++k) spectra[m][k] *= source[k];
-  }
-  return spectra;
-}
-
-std::vector<cfloat> noise(std::size_t bins, unsigned seed = 1) {
-  std::mt19937 random(seed);
-  std::normal_distribution<float> normal;
-  std::vector<cfloat> out(bins);
-  for (cfloat& x : out) x = {normal(random), normal(random)};
-  return out;
-}
-
-Track track(std::uint64_t id, Vec3 direction) { return {.id = id, .tag = {}, .direction = direction}; }
-
-double power(std::span<const cfloat> x) {
-  double sum = 0;
-  for (const cfloat v : x) sum += static_cast<double>(std::norm(v));
-  return sum;
-}
-
-double distance(std::span<const cfloat> a, std::span<const cfloat> b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) sum += static_cast<double>(std::norm(a[k] - b[k]));
-  return std::sqrt(sum / power(b));
-}
+std::vector<cfloat> noise(std::size_t bins) { return test::Noise()(bins); }
 
 TEST(DelayAndSum, gives_back_a_plane_wave_from_the_look_direction) {
   for (const std::size_t mics : {1U, 2U, 3U, 4U, 7U, 8U, 16U, 17U}) {
@@ -66,7 +27,7 @@ TEST(DelayAndSum, gives_back_a_plane_wave_from_the_look_direction) {
     Grid<cfloat> beam(1, 129);
     const std::array tracks{track(1, u)};
     beamformer.separate(plane_wave(general, u, source), tracks, beam);
-    EXPECT_LT(distance(beam[0], source), 1e-5) << mics << " mics";
+    EXPECT_LT(relative_distance(beam[0], source), 1e-5) << mics << " mics";
   }
 }
 
@@ -78,11 +39,18 @@ TEST(DelayAndSum, gives_back_a_plane_wave_through_microphones_that_point_outward
   }
   const Vec3 u = direction_of(10, 0);
   const auto source = noise(129);
+  // Each microphone hears it as loud as it points there.
+  Grid<cfloat> spectra = plane_wave(general, u, source);
+  std::array<float, 8> gains{};
+  Steering(general).gains(u, gains);
+  for (std::size_t m = 0; m < 8; ++m) {
+    for (cfloat& x : spectra[m]) x *= gains[m];
+  }
   DelayAndSum beamformer(general, 1);
   Grid<cfloat> beam(1, 129);
   const std::array tracks{track(1, u)};
-  beamformer.separate(plane_wave(general, u, source), tracks, beam);
-  EXPECT_LT(distance(beam[0], source), 1e-5);
+  beamformer.separate(spectra, tracks, beam);
+  EXPECT_LT(relative_distance(beam[0], source), 1e-5);
   // The microphone on the far side does not hear it, and has no part in it.
   EXPECT_EQ(power(beamformer.weights(0)[4]), 0);
   EXPECT_GT(power(beamformer.weights(0)[0]), 0);
@@ -101,11 +69,7 @@ TEST(DelayAndSum, attenuates_a_plane_wave_from_elsewhere) {
 TEST(DelayAndSum, equals_the_formula_in_every_slot) {
   const GeneralConfig general = ring(5);
   DelayAndSum beamformer(general, 3);
-  Grid<cfloat> spectra(5, 129);
-  for (std::size_t m = 0; m < 5; ++m) {
-    const auto x = noise(129, static_cast<unsigned>(m));
-    std::copy(x.begin(), x.end(), spectra[m].begin());
-  }
+  const Grid<cfloat> spectra = test::Noise()(5, 129);
   const std::array tracks{track(4, direction_of(10, 0)), track(0, direction_of(90, 0)),
                           track(9, direction_of(-120, 45))};
   Grid<cfloat> beams(3, 129);
@@ -115,10 +79,8 @@ TEST(DelayAndSum, equals_the_formula_in_every_slot) {
     for (std::size_t k = 0; k < 129; ++k) {
       std::complex<double> expected = 0;
       for (std::size_t m = 0; m < 5 && tracks[s].id != 0; ++m) {
-        const Vec3 p{general.mics[m].mu[0], general.mics[m].mu[1], general.mics[m].mu[2]};
-        const double phase = 2 * M_PI * static_cast<double>(k) / 256 * 16000 / 343 *
-                             static_cast<double>(dot(p, tracks[s].direction));
-        expected += std::polar(0.2, -phase) * std::complex<double>(spectra[m][k]);
+        const auto phase = test::phase_at(general, m, tracks[s].direction, k);
+        expected += 0.2 * std::conj(phase) * std::complex<double>(spectra[m][k]);
       }
       EXPECT_LT(std::abs(std::complex<double>(beams[s][k]) - expected), 2e-5) << s << ' ' << k;
     }
@@ -134,7 +96,7 @@ TEST(DelayAndSum, follows_a_direction_that_moves) {
     const Vec3 u = direction_of(azimuth, 10);
     const std::array tracks{track(1, u)};
     moved.separate(plane_wave(general, u, source), tracks, beam);
-    EXPECT_LT(distance(beam[0], source), 1e-5) << azimuth;
+    EXPECT_LT(relative_distance(beam[0], source), 1e-5) << azimuth;
   }
 }
 

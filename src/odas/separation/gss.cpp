@@ -12,6 +12,13 @@ namespace {
 // Silence divides by this much at least, also where `general.epsilon` is zero.
 constexpr float kSmallest = 1e-30F;
 
+/// sum over mics of a b
+Lanes product(std::span<const Lanes> a, std::span<const Lanes> b) noexcept {
+  Lanes sum;
+  for (std::size_t m = 0; m < a.size(); ++m) add_product(sum, a[m], b[m]);
+  return sum;
+}
+
 }  // namespace
 
 GeometricSeparation::GeometricSeparation(const GssConfig& config, const GeneralConfig& general,
@@ -21,7 +28,7 @@ GeometricSeparation::GeometricSeparation(const GssConfig& config, const GeneralC
       epsilon_(std::max(general.epsilon, kSmallest)),
       steering_(general),
       slots_(slots),
-      input_(steering_.mics(), lanes_for(steering_.bins())),
+      input_(lanes_for(steering_.bins()), steering_.mics()),
       outputs_(slots),
       response_(slots),
       beam_(lanes_for(steering_.bins())),
@@ -29,8 +36,8 @@ GeometricSeparation::GeometricSeparation(const GssConfig& config, const GeneralC
       row_(steering_.bins()) {
   for (Slot& slot : slots_) {
     slot.gains.resize(steering_.mics());
-    slot.steering = Grid<Lanes>(steering_.mics(), beam_.size());
-    slot.demixing = Grid<Lanes>(steering_.mics(), beam_.size());
+    slot.steering = Grid<Lanes>(beam_.size(), steering_.mics());
+    slot.demixing = Grid<Lanes>(beam_.size(), steering_.mics());
     slot.weights = Grid<cfloat>(steering_.mics(), steering_.bins());
   }
   live_.reserve(slots);
@@ -47,7 +54,9 @@ void GeometricSeparation::separate(GridView<const cfloat> spectra, std::span<con
     follow(slots_[s], tracks[s]);
     if (slots_[s].id != 0) live_.push_back(&slots_[s]);
   }
-  for (std::size_t m = 0; m < spectra.rows() && !live_.empty(); ++m) split(spectra[m], input_[m]);
+  for (std::size_t m = 0; m < spectra.rows() && !live_.empty(); ++m) {
+    split(spectra[m], input_.data() + m, steering_.mics());
+  }
   for (std::size_t lane = 0; lane < beam_.size() && !live_.empty(); ++lane) adapt(lane);
 
   for (std::size_t s = 0; s < slots_.size(); ++s) {
@@ -57,9 +66,12 @@ void GeometricSeparation::separate(GridView<const cfloat> spectra, std::span<con
       std::fill(beam.begin(), beam.end(), cfloat{});
       continue;
     }
-    for (std::size_t lane = 0; lane < beam_.size(); ++lane) beam_[lane] = demix(slot, lane);
-    join(beam_, beam);
-    for (std::size_t m = 0; m < steering_.mics(); ++m) join(slot.demixing[m], slot.weights[m]);
+    for (std::size_t lane = 0; lane < beam_.size(); ++lane)
+      beam_[lane] = product(slot.demixing[lane], input_[lane]);
+    join(beam_.data(), 1, beam);
+    for (std::size_t m = 0; m < steering_.mics(); ++m) {
+      join(slot.demixing.data() + m, steering_.mics(), slot.weights[m]);
+    }
 
     // A weight that is not finite makes the beam so: whatever the cause, the row starts afresh.
     float sum = 0;
@@ -89,16 +101,18 @@ void GeometricSeparation::steer(Slot& slot, Vec3 direction) noexcept {
   float power = epsilon_;
   for (const float gain : gains_) power += gain * gain;
   for (std::size_t m = 0; m < gains_.size(); ++m) {
-    const std::span<Lanes> a = slot.steering[m];
-    const std::span<Lanes> w = slot.demixing[m];
-    if (gains_[m] == 0) {
-      std::fill(a.begin(), a.end(), Lanes{});
-      std::fill(w.begin(), w.end(), Lanes{});
-    } else {
+    Lanes* a = slot.steering.data() + m;
+    Lanes* w = slot.demixing.data() + m;
+    const bool hears = gains_[m] > 0;
+    if (hears) {
       steering_.row(m, direction, gains_[m], row_);
-      split(row_, a);
-      if (slot.gains[m] == 0) {
-        for (std::size_t l = 0; l < w.size(); ++l) w[l] = conjugate(a[l], 1 / power);
+    } else {
+      std::fill(row_.begin(), row_.end(), cfloat{});
+    }
+    split(row_, a, gains_.size());
+    if (!hears || slot.gains[m] == 0) {
+      for (std::size_t i = 0; i < slot.steering.rows() * gains_.size(); i += gains_.size()) {
+        w[i] = scaled(conjugate(a[i]), all(1 / power));
       }
     }
     slot.gains[m] = gains_[m];
@@ -107,62 +121,40 @@ void GeometricSeparation::steer(Slot& slot, Vec3 direction) noexcept {
 
 void GeometricSeparation::adapt(std::size_t lane) noexcept {
   // alpha dJ1 = 4 E' y' x'^H with x' = x / (|x|^4 + eps)^(1/4): no overflow on the way.
-  std::array<float, Lanes::kSize> unit{};
-  for (std::size_t m = 0; m < steering_.mics(); ++m) {
-    const auto power = squared(input_[m][lane]);
-    for (std::size_t i = 0; i < unit.size(); ++i) unit[i] += power[i];
-  }
-  for (float& u : unit) u = 1 / std::sqrt(std::sqrt(u * u + epsilon_));
-
-  std::array<float, Lanes::kSize> total{};
-  for (std::size_t a = 0; a < live_.size(); ++a) {
-    outputs_[a] = demix(*live_[a], lane);
-    scale(outputs_[a], unit);
-    const auto power = squared(outputs_[a]);
-    for (std::size_t i = 0; i < total.size(); ++i) total[i] += power[i];
+  const std::span<const Lanes> x = input_[lane];
+  Floats power{};
+  for (const Lanes& x_m : x) power += squared(x_m);
+  Floats unit{};
+  for (std::size_t i = 0; i < Lanes::kSize; ++i) {
+    unit[i] = 1 / std::sqrt(std::sqrt(power[i] * power[i] + epsilon_));
   }
 
+  Floats total{};
   for (std::size_t a = 0; a < live_.size(); ++a) {
-    Slot& slot = *live_[a];
+    outputs_[a] = scaled(product(live_[a]->demixing[lane], x), unit);
+    total += squared(outputs_[a]);
+  }
+
+  for (std::size_t a = 0; a < live_.size(); ++a) {
+    const std::span<Lanes> w = live_[a]->demixing[lane];
     // 4 mu E y, for x as it is: the unit of x' twice, once in y.
-    Lanes correlation = outputs_[a];
-    const auto own = squared(correlation);
-    std::array<float, Lanes::kSize> others;
-    for (std::size_t i = 0; i < total.size(); ++i) others[i] = 4 * mu_ * (total[i] - own[i]) * unit[i];
-    scale(correlation, others);
-
+    const Lanes correlation = scaled(outputs_[a], 4 * mu_ * (total - squared(outputs_[a])) * unit);
     // 2 mu (W A - I), the row of this slot.
     for (std::size_t b = 0; b < live_.size(); ++b) {
-      Lanes sum;
-      for (std::size_t m = 0; m < steering_.mics(); ++m) {
-        if (slot.gains[m] > 0) add_product(sum, slot.demixing[m][lane], live_[b]->steering[m][lane]);
-      }
-      if (a == b) {
-        for (float& re : sum.re) re -= 1;
-      }
-      scale(sum, 2 * mu_);
-      response_[b] = sum;
+      Lanes response = product(w, live_[b]->steering[lane]);
+      if (a == b) response.re -= all(1);
+      response_[b] = scaled(response, all(2 * mu_));
     }
-
-    for (std::size_t m = 0; m < steering_.mics(); ++m) {
-      if (slot.gains[m] == 0) continue;
-      Lanes w = slot.demixing[m][lane];
-      scale(w, 1 - lambda_ * mu_);
-      subtract_product_conj(w, correlation, input_[m][lane]);
+    for (std::size_t m = 0; m < w.size(); ++m) {
+      if (live_[a]->gains[m] == 0) continue;
+      Lanes w_m = scaled(w[m], all(1 - lambda_ * mu_));
+      subtract_product_conj(w_m, correlation, x[m]);
       for (std::size_t b = 0; b < live_.size(); ++b) {
-        subtract_product_conj(w, response_[b], live_[b]->steering[m][lane]);
+        subtract_product_conj(w_m, response_[b], live_[b]->steering[lane][m]);
       }
-      slot.demixing[m][lane] = w;
+      w[m] = w_m;
     }
   }
-}
-
-Lanes GeometricSeparation::demix(const Slot& slot, std::size_t lane) const noexcept {
-  Lanes y;
-  for (std::size_t m = 0; m < slot.gains.size(); ++m) {
-    if (slot.gains[m] > 0) add_product(y, slot.demixing[m][lane], input_[m][lane]);
-  }
-  return y;
 }
 
 GridView<const cfloat> GeometricSeparation::weights(std::size_t slot) const noexcept {

@@ -44,8 +44,8 @@ class GeometricSeparation final : public Beamformer {
     bool steered = false;  // `steering` is that of `direction`
     Vec3 direction;
     std::vector<float> gains;  // [mic]: of `direction`; 0: does not hear it
-    Grid<Lanes> steering;      // A [mic][lane]
-    Grid<Lanes> demixing;      // W [mic][lane]
+    Grid<Lanes> steering;      // A [lane][mic]
+    Grid<Lanes> demixing;      // W [lane][mic]
     Grid<cfloat> weights;      // W [mic][bin]
   };
 
@@ -53,13 +53,12 @@ class GeometricSeparation final : public Beamformer {
   void steer(Slot& slot, Vec3 direction) noexcept;
   void forget(Slot& slot) noexcept;
   void adapt(std::size_t lane) noexcept;
-  [[nodiscard]] Lanes demix(const Slot& slot, std::size_t lane) const noexcept;
 
   float mu_, lambda_, epsilon_;
   Steering steering_;
   std::vector<Slot> slots_;
   std::vector<Slot*> live_;      // of this hop
-  Grid<Lanes> input_;            // x [mic][lane]
+  Grid<Lanes> input_;            // x [lane][mic]
   std::vector<Lanes> outputs_;   // [live slot]: y of one lane
   std::vector<Lanes> response_;  // [live slot]: a row of W A - I, of one lane
   std::vector<Lanes> beam_;      // [lane]

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <span>
 
@@ -10,12 +8,14 @@
 
 namespace odas {
 
-/// Eight complex numbers side by side, real and imaginary parts apart: what is computed with them in a
-/// plain loop, the compiler does in vectors.
+/// As many floats as fit one vector register of any machine. Arithmetic is element by element.
+using Floats = float __attribute__((vector_size(16)));
+
+/// Complex numbers of neighbouring bins side by side, real and imaginary parts apart.
 struct Lanes {
-  static constexpr std::size_t kSize = 8;
-  std::array<float, kSize> re{};
-  std::array<float, kSize> im{};
+  static constexpr std::size_t kSize = 4;
+  Floats re{};
+  Floats im{};
 };
 
 /// Lanes that hold `bins` numbers; the last may have some to spare, which stay zero.
@@ -23,72 +23,50 @@ struct Lanes {
   return (bins + Lanes::kSize - 1) / Lanes::kSize;
 }
 
-inline void split(std::span<const cfloat> from, std::span<Lanes> to) noexcept {
-  for (std::size_t l = 0; l < to.size(); ++l) {
-    const std::size_t begin = l * Lanes::kSize;
-    const std::size_t n = std::min(Lanes::kSize, from.size() - begin);
-    for (std::size_t i = 0; i < n; ++i) {
-      to[l].re[i] = from[begin + i].real();
-      to[l].im[i] = from[begin + i].imag();
-    }
+/// Fills to[lane * stride]; places past the last bin become zero.
+inline void split(std::span<const cfloat> from, Lanes* to, std::size_t stride) noexcept {
+  for (; from.size() >= Lanes::kSize; from = from.subspan(Lanes::kSize), to += stride) {
+    const auto* x = reinterpret_cast<const float*>(from.data());
+    *to = Lanes{Floats{x[0], x[2], x[4], x[6]}, Floats{x[1], x[3], x[5], x[7]}};
+  }
+  if (!from.empty()) *to = Lanes{};
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    to->re[i] = from[i].real();
+    to->im[i] = from[i].imag();
   }
 }
 
-inline void join(std::span<const Lanes> from, std::span<cfloat> to) noexcept {
-  for (std::size_t l = 0; l < from.size(); ++l) {
-    const std::size_t begin = l * Lanes::kSize;
-    const std::size_t n = std::min(Lanes::kSize, to.size() - begin);
-    for (std::size_t i = 0; i < n; ++i) to[begin + i] = {from[l].re[i], from[l].im[i]};
+/// The reverse of split().
+inline void join(const Lanes* from, std::size_t stride, std::span<cfloat> to) noexcept {
+  for (; to.size() >= Lanes::kSize; to = to.subspan(Lanes::kSize), from += stride) {
+    for (std::size_t i = 0; i < Lanes::kSize; ++i) to[i] = {from->re[i], from->im[i]};
   }
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] = {from->re[i], from->im[i]};
 }
 
 /// sum += a b
 inline void add_product(Lanes& sum, const Lanes& a, const Lanes& b) noexcept {
-  for (std::size_t i = 0; i < Lanes::kSize; ++i) {
-    sum.re[i] += a.re[i] * b.re[i] - a.im[i] * b.im[i];
-    sum.im[i] += a.re[i] * b.im[i] + a.im[i] * b.re[i];
-  }
+  sum.re += a.re * b.re - a.im * b.im;
+  sum.im += a.re * b.im + a.im * b.re;
 }
 
 /// sum -= a conj(b)
 inline void subtract_product_conj(Lanes& sum, const Lanes& a, const Lanes& b) noexcept {
-  for (std::size_t i = 0; i < Lanes::kSize; ++i) {
-    sum.re[i] -= a.re[i] * b.re[i] + a.im[i] * b.im[i];
-    sum.im[i] -= a.im[i] * b.re[i] - a.re[i] * b.im[i];
-  }
+  sum.re -= a.re * b.re + a.im * b.im;
+  sum.im -= a.im * b.re - a.re * b.im;
 }
 
-/// a *= factor
-inline void scale(Lanes& a, float factor) noexcept {
-  for (std::size_t i = 0; i < Lanes::kSize; ++i) {
-    a.re[i] *= factor;
-    a.im[i] *= factor;
-  }
+/// factor a
+[[nodiscard]] inline Lanes scaled(const Lanes& a, Floats factor) noexcept {
+  return {a.re * factor, a.im * factor};
 }
 
-/// a *= factors
-inline void scale(Lanes& a, const std::array<float, Lanes::kSize>& factors) noexcept {
-  for (std::size_t i = 0; i < Lanes::kSize; ++i) {
-    a.re[i] *= factors[i];
-    a.im[i] *= factors[i];
-  }
-}
-
-/// factor conj(a)
-[[nodiscard]] inline Lanes conjugate(const Lanes& a, float factor) noexcept {
-  Lanes out;
-  for (std::size_t i = 0; i < Lanes::kSize; ++i) {
-    out.re[i] = factor * a.re[i];
-    out.im[i] = -factor * a.im[i];
-  }
-  return out;
-}
+[[nodiscard]] inline Lanes conjugate(const Lanes& a) noexcept { return {a.re, -a.im}; }
 
 /// |a|^2
-[[nodiscard]] inline std::array<float, Lanes::kSize> squared(const Lanes& a) noexcept {
-  std::array<float, Lanes::kSize> out;
-  for (std::size_t i = 0; i < Lanes::kSize; ++i) out[i] = a.re[i] * a.re[i] + a.im[i] * a.im[i];
-  return out;
-}
+[[nodiscard]] inline Floats squared(const Lanes& a) noexcept { return a.re * a.re + a.im * a.im; }
+
+/// The same number in each place.
+[[nodiscard]] inline Floats all(float value) noexcept { return Floats{} + value; }
 
 }  // namespace odas

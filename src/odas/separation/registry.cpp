@@ -7,6 +7,7 @@
 #include "odas/base/error.hpp"
 #include "odas/separation/delay_and_sum.hpp"
 #include "odas/separation/gss.hpp"
+#include "odas/separation/multi_source_filter.hpp"
 #include "odas/separation/single_source_filter.hpp"
 
 namespace odas {
@@ -39,6 +40,11 @@ constexpr std::array kBeamformers{
 };
 
 constexpr std::array kPostFilters{
+    PostFilterRow{"ms",
+                  [](const SssConfig& config, const McraConfig& sne, const GeneralConfig& general,
+                     std::size_t slots) -> Ptr<PostFilter> {
+                    return std::make_unique<MultiSourceFilter>(config.ms, sne, general, slots);
+                  }},
     PostFilterRow{"ss",
                   [](const SssConfig& config, const McraConfig&, const GeneralConfig& general,
                      std::size_t) -> Ptr<PostFilter> {

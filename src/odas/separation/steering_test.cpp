@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "support/wave_field.hpp"
 #include <gtest/gtest.h>
 
 namespace odas {
@@ -25,15 +26,6 @@ GeneralConfig array_of(std::size_t mics, int frame_size, float radius) {
   return general;
 }
 
-/// The definition, bin by bin.
-std::complex<double> oracle(const GeneralConfig& g, std::size_t mic, Vec3 u, std::size_t bin) {
-  const auto& p = g.mics[mic].mu;
-  const double path = double{p[0]} * double{u.x} + double{p[1]} * double{u.y} + double{p[2]} * double{u.z};
-  const double seconds = path / static_cast<double>(g.speedofsound.mu);
-  const double hertz = static_cast<double>(bin) * g.samplerate.mu / g.size.frame_size;
-  return std::polar(1.0, 2 * M_PI * hertz * seconds);
-}
-
 class SteeringOfFrame : public testing::TestWithParam<int> {};
 
 TEST_P(SteeringOfFrame, equals_the_definition_in_every_bin) {
@@ -45,7 +37,7 @@ TEST_P(SteeringOfFrame, equals_the_definition_in_every_bin) {
     for (std::size_t m = 0; m < steering.mics(); ++m) {
       steering.row(m, u, 0.7F, row);
       for (std::size_t k = 0; k < row.size(); ++k) {
-        const auto expected = 0.7 * oracle(general, m, u, k);
+        const auto expected = 0.7 * test::phase_at(general, m, u, k);
         EXPECT_LT(std::abs(std::complex<double>(row[k]) - expected), 1e-6) << "mic " << m << " bin " << k;
       }
     }

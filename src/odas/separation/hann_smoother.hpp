@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace odas {
+
+/// Smooths a half spectrum over frequency: circular convolution of the whole spectrum, which mirrors itself,
+/// with a Hann window of `width` points (without its zero ends) whose sum is 1.
+///
+/// Method: a Hann window is a constant less a cosine, so one running sum of the values and one of the values
+///   times a rotating phase do for any width. Cost: O(frame + width), in double: the values may span many
+///   decades.
+/// Shapes: [bin], bin = frame / 2 + 1.
+class HannSmoother {
+ public:
+  /// `width` is at most `frame_size`, which is even.
+  HannSmoother(std::size_t width, std::size_t frame_size);
+
+  void smooth(std::span<const float> values, std::span<float> smoothed) const noexcept;
+
+ private:
+  std::size_t width_;
+  std::size_t frame_size_;
+  std::vector<double> cosines_;  // [width + 1]: one turn
+  std::vector<double> sines_;
+};
+
+}  // namespace odas
