@@ -35,7 +35,7 @@ void add_check(CLI::App& app) {
       "array, the search, the latency and the ways of the sound.\n\n"
       "Examples:\n"
       "  odas check configs/respeaker_usb_4_mic.cfg\n"
-      "  odas check --keys > keys.md");
+      "  odas check --keys > keys.md\n");
   auto file = std::make_shared<std::string>();
   auto keys = std::make_shared<bool>(false);
   CLI::Option* file_option = check->add_option("FILE", *file, "Configuration to look at");
