@@ -2,14 +2,13 @@
 // Separation against what ODAS itself made of the same recordings, with its own tracks fed in.
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
-#include <functional>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "support/goldens.hpp"
+#include "support/wave_field.hpp"
 #include <gtest/gtest.h>
 #include <sndfile.h>
 
@@ -23,11 +22,6 @@ namespace odas {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path scenes() {
-  if (const char* shared = std::getenv("ODAS_SHARED")) return fs::path(shared) / "scenes";
-  return fs::path(ODAS_SOURCE_DIR) / ".." / "shared" / "scenes";
-}
 
 /// [channel][sample]
 Grid<float> read_sound(const fs::path& file) {
@@ -45,27 +39,13 @@ Grid<float> read_sound(const fs::path& file) {
   return samples;
 }
 
-/// ODAS's tracks, hop by hop: its JSON has one line a slot, in the order of the slots.
-std::vector<std::vector<Track>> read_tracks(const fs::path& gz) {
+/// ODAS's tracks, hop by hop.
+std::vector<std::vector<Track>> read_tracks(const fs::path& file) {
   std::vector<std::vector<Track>> hops;
-  FILE* pipe = popen(("gzip -dc '" + gz.string() + "'").c_str(), "r");
-  std::array<char, 1024> line{};
-  while (pipe != nullptr && std::fgets(line.data(), line.size(), pipe) != nullptr) {
-    const std::string text = line.data();
-    if (text.find("\"timeStamp\"") != std::string::npos) hops.emplace_back();
-    if (text.find("\"id\"") == std::string::npos) continue;
-    const auto number = [&](const char* key) {
-      return std::strtod(text.c_str() + text.find(std::string("\"") + key + "\":") + std::strlen(key) + 3,
-                         nullptr);
-    };
-    Track track;
-    track.id = static_cast<std::uint64_t>(number("id"));
-    track.direction = {static_cast<float>(number("x")), static_cast<float>(number("y")),
-                       static_cast<float>(number("z"))};
-    track.activity = static_cast<float>(number("activity"));
-    hops.back().push_back(track);
+  for (const test::GoldenHop& hop : test::read_goldens(file)) {
+    std::vector<Track>& tracks = hops.emplace_back();
+    for (const test::GoldenRow& row : hop.rows) tracks.push_back(test::track(row.id, {row.x, row.y, row.z}));
   }
-  if (pipe != nullptr) pclose(pipe);
   return hops;
 }
 
@@ -80,8 +60,8 @@ struct Scene {
   Grid<float> mics;
   std::vector<std::vector<Track>> tracks;
 
-  Scene(const std::string& name, const std::string& cfg)
-      : folder(scenes() / name),
+  Scene(const fs::path& of, const std::string& cfg)
+      : folder(of),
         config(load_configuration(folder / "odas" / cfg).config.pipeline),
         mics(read_sound(folder / "mics.wav")),
         tracks(read_tracks(folder / "odas" / "tracks.json.gz")) {}
@@ -154,6 +134,19 @@ double relative_difference(const Grid<float>& a, const Grid<float>& b) {
   return std::sqrt(error / power);
 }
 
+/// What rounding to 16 bits alone makes: the error is evenly spread over one step.
+double rounding_floor(const Grid<float>& golden) {
+  double power = 0;
+  std::size_t sounding = 0;
+  for (std::size_t c = 0; c < golden.rows(); ++c) {
+    for (const float x : golden[c]) {
+      power += static_cast<double>(x) * static_cast<double>(x);
+      sounding += x != 0 ? 1 : 0;
+    }
+  }
+  return std::sqrt(static_cast<double>(sounding) / 12 / power) / 32768;
+}
+
 /// The same tracks as if other digits had been cut: each coordinate moved by up to half a printed unit.
 std::vector<std::vector<Track>> jittered(std::vector<std::vector<Track>> tracks) {
   std::mt19937 random(1);
@@ -169,36 +162,47 @@ std::vector<std::vector<Track>> jittered(std::vector<std::vector<Track>> tracks)
 class SeparationOfScene : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    if (!fs::exists(scenes() / GetParam())) GTEST_SKIP() << "no scene at " << scenes() / GetParam();
+    const auto shared = test::shared_folder();
+    if (!shared) GTEST_SKIP() << "no shared test material (ODAS_SHARED)";
+    folder_ = *shared / "scenes" / GetParam();
   }
+  fs::path folder_;
 };
 
 TEST_P(SeparationOfScene, by_delay_and_sum_equals_that_of_ODAS) {
-  const Scene scene(GetParam(), "dds_ms.cfg");
+  const Scene scene(folder_, "dds_ms.cfg");
   const Grid<float> golden = scene.golden("dds.flac");
-  const Streams streams = scene.run(scene.tracks);
-  const Grid<float>& ours = streams.separated;
-  ASSERT_EQ(ours.cols(), golden.cols());
-  const double difference = relative_difference(ours, golden);
-  std::printf("%s ms: relative difference %.2e\n", GetParam(),
-              relative_difference(streams.postfiltered, scene.golden("dds_ms.flac")));
-  const double floor = relative_difference(scene.run(jittered(scene.tracks)).separated, ours);
-  std::printf("%s dds: relative difference %.2e; three printed decimals alone make %.2e\n", GetParam(),
-              difference, floor);
-  EXPECT_LT(difference, 1e-2);
+  const Streams ours = scene.run(scene.tracks);
+  ASSERT_EQ(ours.separated.cols(), golden.cols());
+  const double difference = relative_difference(ours.separated, golden);
+  const Streams moved = scene.run(jittered(scene.tracks));
+  std::printf("%s dds: relative difference %.2e; floors: of 16 bits %.2e, of three printed decimals %.2e\n",
+              GetParam(), difference, rounding_floor(golden),
+              relative_difference(moved.separated, ours.separated));
+  EXPECT_LT(difference, 1e-3);
 }
 
-TEST_P(SeparationOfScene, by_gss_equals_that_of_ODAS) {
-  const Scene scene(GetParam(), "dgss_ss.cfg");
+// ODAS's own noise estimate is zero for the first 303 hops of the microphones and of each beam, and so it
+// lets pass more than ours, which starts with the first sound.
+TEST_P(SeparationOfScene, then_by_ms_is_that_of_ODAS_but_for_the_mended_noise_estimate) {
+  const Scene scene(folder_, "dds_ms.cfg");
+  const double difference =
+      relative_difference(scene.run(scene.tracks).postfiltered, scene.golden("dds_ms.flac"));
+  std::printf("%s ms: relative difference %.2e\n", GetParam(), difference);
+  EXPECT_LT(difference, 0.25);
+}
+
+TEST_P(SeparationOfScene, by_gss_and_then_by_ss_equals_that_of_ODAS) {
+  const Scene scene(folder_, "dgss_ss.cfg");
   const Streams ours = scene.run(scene.tracks);
-  const Streams other = scene.run(jittered(scene.tracks));
-  const double gss = relative_difference(ours.separated, scene.golden("dgss.flac"));
-  const double ss = relative_difference(ours.postfiltered, scene.golden("dgss_ss.flac"));
-  std::printf("%s dgss: relative difference %.2e (printed decimals alone %.2e); then ss: %.2e (%.2e)\n",
-              GetParam(), gss, relative_difference(other.separated, ours.separated), ss,
-              relative_difference(other.postfiltered, ours.postfiltered));
-  EXPECT_LT(gss, 1e-2);
-  EXPECT_LT(ss, 1e-2);
+  const Grid<float> golden = scene.golden("dgss.flac");
+  const Grid<float> golden_ss = scene.golden("dgss_ss.flac");
+  const double gss = relative_difference(ours.separated, golden);
+  const double ss = relative_difference(ours.postfiltered, golden_ss);
+  std::printf("%s dgss: relative difference %.2e, floor of 16 bits %.2e; then ss: %.2e, %.2e\n", GetParam(),
+              gss, rounding_floor(golden), ss, rounding_floor(golden_ss));
+  EXPECT_LT(gss, 2e-3);
+  EXPECT_LT(ss, 5e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SeparationOfScene, testing::Values("rsp4_static2", "uma7_static2"));
