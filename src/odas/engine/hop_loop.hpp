@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+
+#include "odas/engine/front_end.hpp"
+#include "odas/engine/metrics.hpp"
+#include "odas/pipeline/pipeline.hpp"
+
+namespace odas {
+
+/// Blocks of the source in, results of hops out: what the engine's thread does, and what a run without
+/// threads does in its stead.
+class HopLoop {
+ public:
+  /// Throws ConfigError where source, configuration and pipeline do not fit each other.
+  HopLoop(const Configuration& config, std::size_t channels, int source_rate, Pipeline& pipeline);
+
+  /// `take(const HopResult&)` is called for each hop that the block completes.
+  template <class Take>
+  void push(GridView<const float> block, Take&& take) {
+    front_end_.push(block);
+    while (front_end_.pop(hop_)) take(process());
+  }
+  /// The input has ended; a last hop is filled up with silence if `pad`.
+  template <class Take>
+  void finish(bool pad, Take&& take) {
+    front_end_.finish();
+    while (front_end_.pop(hop_)) take(process());
+    if (pad && front_end_.pop_rest(hop_)) take(process());
+  }
+
+  [[nodiscard]] InputHealth& health() noexcept { return front_end_.health(); }
+
+  /// Of all hops so far.
+  [[nodiscard]] Metrics metrics() const noexcept;
+
+ private:
+  HopResult process() noexcept {
+    const auto start = std::chrono::steady_clock::now();
+    const HopResult result = pipeline_.process_hop(hop_);
+    hop_time_.add(std::chrono::steady_clock::now() - start);
+    ++hops_;
+    return result;
+  }
+
+  FrontEnd front_end_;
+  Pipeline& pipeline_;
+  Grid<float> hop_;  // [mic][hop]
+  TimeHistogram hop_time_;
+  std::uint64_t hops_ = 0;
+};
+
+}  // namespace odas
