@@ -154,42 +154,70 @@ class SourceScanner {
 
   void scan(const std::string& line, const Location& here) {
     out_.lines_.push_back({here, line});
-    std::string& text = out_.text_;
     for (std::size_t i = 0; i < line.size();) {
       const std::string_view rest = std::string_view(line).substr(i);
-      std::size_t taken = 1;
-      if (in_comment_) {
-        if (rest.starts_with("*/")) taken = 2, in_comment_ = false;
-      } else if (in_string_) {
-        if (rest[0] == '\\' && rest.size() > 1) taken = 2;
-        if (rest[0] == '"') in_string_ = false;
-      } else if (rest.starts_with("//") || rest[0] == '#') {
-        taken = rest.size();
-      } else if (rest.starts_with("/*")) {
-        taken = 2, in_comment_ = true, opened_ = here;
-      } else if (rest[0] == '"') {
-        in_string_ = true, opened_ = here;
-      } else if (is_digit(rest[0]) || ((rest[0] == '-' || rest[0] == '+' || rest[0] == '.') &&
-                                       rest.size() > 1 && (is_digit(rest[1]) || rest[1] == '.'))) {
-        taken = number_length(rest);
-        text += safe_number(std::string(rest.substr(0, taken)));
-        i += taken;
-        continue;
-      } else if (is_name(rest[0])) {
-        while (taken < rest.size() && (is_name(rest[taken]) || rest[taken] == '-')) ++taken;
-      } else if (std::string_view("([{)]}").find(rest[0]) != std::string_view::npos) {
-        text += bracket(rest[0], here);
-        ++i;
-        continue;
-      }
-      text += rest.substr(0, taken);
-      i += taken;
+      i += in_comment_ || in_string_ ? skip(rest) : take(rest, here);
     }
-    text += '\n';
+    out_.text_ += '\n';
   }
 
+  std::size_t write(std::string_view text) {
+    out_.text_ += text;
+    return text.size();
+  }
+
+  /// The next piece of a comment or string; its length.
+  std::size_t skip(std::string_view rest) {
+    if (in_comment_ && rest.starts_with("*/")) {
+      in_comment_ = false;
+      return write("*/");
+    }
+    if (in_string_ && rest[0] == '"') in_string_ = false;
+    return write(rest.substr(0, in_string_ && rest[0] == '\\' ? 2 : 1));
+  }
+
+  /// The next token outside of comments and strings; its length.
+  std::size_t take(std::string_view rest, const Location& here) {
+    if (std::isspace(static_cast<unsigned char>(rest[0])) != 0) return write(rest.substr(0, 1));
+    if (rest[0] == '#' || rest.starts_with("//")) return write(rest);
+    if (rest.starts_with("/*")) {
+      in_comment_ = true, opened_ = here;
+      return write("/*");
+    }
+    if (rest[0] == '"') check_quote(here);
+    last_ = rest[0];
+    if (rest[0] == '"') {
+      in_string_ = true, opened_ = here;
+    } else if (std::string_view("([{)]}").find(rest[0]) != std::string_view::npos) {
+      out_.text_ += bracket(rest[0], here);
+      return 1;
+    } else if (const std::size_t digits = number_length(rest); digits > 0) {
+      write(safe_number(std::string(rest.substr(0, digits))));
+      return digits;
+    } else if (is_name(rest[0])) {
+      std::size_t length = 1;
+      while (length < rest.size() && (is_name(rest[length]) || rest[length] == '-')) ++length;
+      return write(rest.substr(0, length));
+    }
+    return write(rest.substr(0, 1));
+  }
+
+  /// A text stands after '=' or ':', in a list after '(' or ',', or after another text, which it continues.
+  /// Elsewhere libconfig would find a syntax error, and lose the memory of the text.
+  void check_quote(const Location& here) {
+    const bool in_list = !brackets_.empty() && brackets_.back().open != '{';
+    const std::string_view before = in_list ? "([,\"" : "=:\"";
+    if (before.find(last_) != std::string_view::npos) return;
+    fault(here, std::string("a text in quotes cannot stand here; ") +
+                    (in_list ? "is a ',' missing before it?" : "is a '=' missing before it?"));
+  }
+
+  /// Of the number that the text begins with; 0 where it begins with none.
   static std::size_t number_length(std::string_view rest) {
-    std::size_t n = 1;
+    const std::size_t sign = rest[0] == '-' || rest[0] == '+' ? 1 : 0;
+    const std::size_t point = sign < rest.size() && rest[sign] == '.' ? 1 : 0;
+    if (sign + point >= rest.size() || !is_digit(rest[sign + point])) return 0;
+    std::size_t n = sign + point + 1;
     while (n < rest.size()) {
       const bool exponent_sign =
           (rest[n] == '-' || rest[n] == '+') && (rest[n - 1] == 'e' || rest[n - 1] == 'E');
@@ -225,7 +253,8 @@ class SourceScanner {
   std::vector<Bracket> brackets_;
   bool in_comment_ = false;
   bool in_string_ = false;
-  Location opened_;
+  Location opened_;  // the comment or string
+  char last_ = ';';  // first character of the last token
 };
 
 SourceText SourceText::from_file(const fs::path& path, std::vector<Fault>& faults) {

@@ -70,6 +70,14 @@ TEST(SourceText, names_both_ends_of_brackets_that_do_not_match) {
   EXPECT_EQ(faults_of("/* x\n").at(0).what, "the comment that is opened here is never closed");
 }
 
+TEST(SourceText, names_a_text_that_stands_where_none_can) {
+  EXPECT_EQ(faults_of("a \"x\";").at(0).what,
+            "a text in quotes cannot stand here; is a '=' missing before it?");
+  EXPECT_EQ(faults_of("a = (1 \"x\");").at(0).what,
+            "a text in quotes cannot stand here; is a ',' missing before it?");
+  EXPECT_TRUE(faults_of("a = \"x\" // go on\n \"y\"; b: \"z\"; c = (\"x\", [\"y\"]);").empty());
+}
+
 TEST(SourceText, refuses_nesting_that_no_configuration_has) {
   EXPECT_TRUE(faults_of("a=" + std::string(64, '(') + std::string(64, ')')).empty());
   EXPECT_FALSE(faults_of("a=" + std::string(65, '(') + std::string(65, ')')).empty());
