@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 
 namespace odas::test {
 
-/// Calls of operator new in the whole program so far. A program that asks gets a counting operator new.
-[[nodiscard]] std::size_t allocations() noexcept;
+/// How often this thread has asked for memory so far: malloc, calloc, realloc, aligned forms, operator new.
+[[nodiscard]] std::uint64_t allocations() noexcept;
 
 }  // namespace odas::test
