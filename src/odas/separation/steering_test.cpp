@@ -88,7 +88,7 @@ TEST(Steering, does_not_hear_what_is_under_the_smallest_gain) {
 // As in ODAS: spatial filters say what may be found, not how a microphone hears it.
 TEST(Steering, is_not_shaped_by_spatial_filters) {
   GeneralConfig general = array_of(1, 256, 0.1F);
-  general.spatialfilters = {{{0, 0, 1}, {80, 90}}};
+  general.spatialfilters = {{SpatialFilterConfig{{0, 0, 1}, {80, 90}}}};
   std::array<float, 1> gains{};
   Steering(general).gains({0, 0, -1}, gains);
   EXPECT_EQ(gains[0], 1);
