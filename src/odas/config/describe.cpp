@@ -10,6 +10,7 @@
 
 #include "odas/array/geometry.hpp"
 #include "odas/config/phrases.hpp"
+#include "odas/dsp/resampler.hpp"
 
 namespace odas {
 
@@ -138,25 +139,61 @@ std::string describe_search(const Configuration& config, const Pipeline::Plan& p
   return text + table.text();
 }
 
+/// The longest that a sample waits for its `block` to be full and then for its `hop` (both in ms): no more
+/// than for the longer one where one is a multiple of the other.
+double waiting(double block, double hop) {
+  const double ratio = std::max(block, hop) / std::min(block, hop);
+  return std::abs(ratio - std::round(ratio)) < 1e-6 ? std::max(block, hop) : block + hop;
+}
+
+/// What a resampler must see ahead, ms.
+double ahead(int in_rate, int out_rate, int block, int hop) {
+  if (in_rate == out_rate) return 0;
+  const Resampler resampler(1, in_rate, out_rate, static_cast<std::size_t>(block),
+                            static_cast<std::size_t>(hop));
+  return 1000.0 * static_cast<double>(resampler.lookahead()) / in_rate;
+}
+
+/// The delays of the chain, from the microphone on.
+std::string describe_latency(const Configuration& config, const Pipeline::Plan& plan) {
+  const int hop = config.pipeline.general.size.hop_size;
+  const int rate = config.pipeline.general.samplerate.mu;
+  const AudioOutputConfig& out = config.separated;
+  const double hop_ms = 1000.0 * hop / rate;
+  struct Part {
+    double ms;
+    const char* what;
+  };
+  const Part full{waiting(1000.0 * config.raw.hop_size / config.raw.fs, hop_ms), "until a block is full"};
+  const Part in{ahead(config.raw.fs, rate, config.raw.hop_size, hop), "resampling"};
+  const std::array parts{
+      full, in, Part{plan.latency_ms, "in the transforms"},
+      Part{ahead(rate, out.fs, hop, out.hop_size), "resampling the output"},
+      Part{std::max(0.0, 1000.0 * out.hop_size / out.fs - hop_ms), "until its block is full"}};
+  double sum = 0;
+  std::string list;
+  for (const Part& part : parts) {
+    sum += part.ms;
+    if (part.ms > 0) list += (list.empty() ? "" : ", ") + fixed(part.ms, 1) + " ms " + part.what;
+  }
+  return line("latency", fixed(full.ms + in.ms, 1) + " ms to the tracks, " + fixed(sum, 1) +
+                             " ms to the separated voices") +
+         line("", list);
+}
+
 std::string describe_time(const Configuration& config, const Pipeline::Plan& plan) {
   const SizeConfig& size = config.pipeline.general.size;
   const int rate = config.pipeline.general.samplerate.mu;
-  const auto ms = [](int samples, int hz) { return 1000.0 * samples / hz; };
-  const double block = ms(config.raw.hop_size, config.raw.fs);
-  const double hop = ms(size.hop_size, rate);
-  const std::string hertz = std::to_string(rate) + " Hz";
+  const auto ms = [](int samples, int hz) { return fixed(1000.0 * samples / hz, 1) + " ms"; };
   std::string text = "\nTime\n";
   text += line("microphones", std::to_string(config.raw.fs) + " Hz, " + std::to_string(config.raw.n_bits) +
                                   " bit, " + std::to_string(config.raw.n_channels) + " channels, blocks of " +
-                                  fixed(block, 1) + " ms");
-  text += line("processing", hertz + (config.raw.fs == rate ? "" : ", resampled"));
-  text += line("hop", std::to_string(size.hop_size) + " samples, " + fixed(hop, 1) + " ms");
-  text += line("frame", std::to_string(size.frame_size) + " samples, " + fixed(ms(size.frame_size, rate), 1) +
-                            " ms, bins of " + fixed(static_cast<double>(rate) / size.frame_size, 1) + " Hz");
-  text += line("latency", fixed(std::max(block, hop) + plan.latency_ms, 1) + " ms to the separated voices: " +
-                              fixed(std::max(block, hop), 1) + " ms until a block is full, " +
-                              fixed(plan.latency_ms, 1) + " ms in the transforms" +
-                              (config.raw.fs == rate ? "" : ", and the resampler's"));
+                                  ms(config.raw.hop_size, config.raw.fs));
+  text += line("processing", std::to_string(rate) + " Hz" + (config.raw.fs == rate ? "" : ", resampled"));
+  text += line("hop", std::to_string(size.hop_size) + " samples, " + ms(size.hop_size, rate));
+  text += line("frame", std::to_string(size.frame_size) + " samples, " + ms(size.frame_size, rate) +
+                            ", bins of " + fixed(static_cast<double>(rate) / size.frame_size, 1) + " Hz");
+  text += describe_latency(config, plan);
   text += line("memory", fixed(static_cast<double>(plan.memory_bytes) / (1024 * 1024), 1) + " MiB");
   return text;
 }

@@ -51,14 +51,36 @@ TEST(Describe, gives_the_step_of_each_grid) {
   EXPECT_TRUE(has(text, "4            2562         1241   4.0 deg")) << text;
 }
 
-TEST(Describe, adds_up_the_delay_of_the_chain) {
-  const auto loaded = test::read_changed("fS = 16000;", "fS = 48000; hopSize = 768;");
-  const std::string text = describe_plan(loaded.config, some_plan());
-  EXPECT_TRUE(has(text, "24.0 ms to the separated voices: 16.0 ms until a block is full")) << text;
+TEST(Describe, says_what_rates_and_sizes_mean) {
+  const std::string text =
+      describe_plan(test::read_changed("fS = 16000;", "fS = 48000;").config, some_plan());
+  EXPECT_TRUE(has(text, "48000 Hz, 16 bit, 2 channels, blocks of 2.7 ms")) << text;
   EXPECT_TRUE(has(text, "16000 Hz, resampled")) << text;
   EXPECT_TRUE(has(text, "128 samples, 8.0 ms")) << text;
   EXPECT_TRUE(has(text, "256 samples, 16.0 ms, bins of 62.5 Hz")) << text;
   EXPECT_TRUE(has(text, "memory          3.0 MiB")) << text;
+}
+
+TEST(Describe, adds_up_the_delay_of_the_chain) {
+  std::string text = describe_plan(test::read_with("").config, some_plan());
+  EXPECT_TRUE(has(text, "8.0 ms to the tracks, 16.0 ms to the separated voices")) << text;
+  EXPECT_TRUE(has(text, "8.0 ms until a block is full, 8.0 ms in the transforms\n")) << text;
+  // Blocks that are no multiple of the hop wait for both: 100 samples are 6.25 ms.
+  text = describe_plan(test::read_changed("fS = 16000;", "fS = 16000; hopSize = 100;").config, some_plan());
+  EXPECT_TRUE(has(text, "14.2 ms to the tracks, 22.2 ms")) << text;
+  // An output block of 512 samples waits for four hops.
+  text = describe_plan(test::read_with("sss: { separated: { hopSize = 512; }; };").config, some_plan());
+  EXPECT_TRUE(has(text, "40.0 ms to the separated voices")) << text;
+}
+
+TEST(Describe, counts_what_the_resamplers_look_ahead) {
+  const std::string text =
+      describe_plan(test::read_changed("fS = 16000;", "fS = 48000; hopSize = 384;").config, some_plan());
+  EXPECT_TRUE(has(text, " ms resampling, ")) << text;
+  EXPECT_FALSE(has(text, "8.0 ms to the tracks")) << text;
+  EXPECT_TRUE(has(describe_plan(test::read_with("sss: { separated: { fS = 44100; }; };").config, some_plan()),
+                  " ms resampling the output"))
+      << text;
 }
 
 TEST(Describe, says_what_is_computed_and_where_it_goes) {
