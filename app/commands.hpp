@@ -15,5 +15,6 @@ struct ExitCode {
 };
 
 void add_check(CLI::App& app);
+void add_live(CLI::App& app);
 
 }  // namespace odas

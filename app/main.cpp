@@ -13,7 +13,7 @@ namespace {
 constexpr int kRunTimeFailure = 1;
 constexpr int kWrongUsage = 2;
 
-constexpr std::array kCommands{odas::add_check};
+constexpr std::array kCommands{odas::add_live, odas::add_check};
 
 int run(int argc, char** argv) {
   CLI::App app("odas: artificial hearing for machines", "odas");
@@ -35,7 +35,9 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // a reader of ours that goes away is an error value, not our end
+  // A reader that goes away and a file that may not grow are error values, not our end.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return run(argc, argv);
   } catch (const odas::ExitCode& exit) { return exit.code; } catch (const odas::ConfigError& error) {

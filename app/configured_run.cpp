@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "configured_run.hpp"
+
+#include <array>
+#include <cstdio>
+
+#include "odas/config/reader.hpp"
+#include "odas/engine/live.hpp"
+#include "odas/engine/offline.hpp"
+#include "odas/io/registry.hpp"
+
+namespace odas {
+namespace {
+
+void say(const std::string& program, const std::string& what) {
+  std::fprintf(stderr, "%s: %s\n", program.c_str(), what.c_str());
+}
+
+}  // namespace
+
+RunSummary run_configuration(const std::string& file, const ConfiguredRun& how, const std::string& program,
+                             const std::atomic<bool>& stop) {
+  const LoadedConfiguration loaded = load_configuration(file);
+  for (const Fault& fault : loaded.faults) std::fprintf(stderr, "%s\n", to_string(fault).c_str());
+  const Configuration& config = loaded.config;
+  try {
+    // The sinks come last: nothing is overwritten for a run that cannot start.
+    const std::unique_ptr<AudioSource> source = make_source(config.raw);
+    Pipeline pipeline(config.pipeline);
+    const auto sinks = make_sinks(config, {.stop = &stop});
+    std::vector<Sink*> all;
+    for (const auto& sink : sinks) all.push_back(sink.get());
+
+    RunOptions options;
+    options.silent_first_block = how.like_odas;
+    options.pad_last_block = !how.like_odas;
+    options.stop = &stop;
+    options.warn = [&](const std::string& warning) { say(program, "warning: " + warning); };
+    const auto run = how.threads ? run_live : run_offline;
+    return run(*source, config, pipeline, all, options);
+  } catch (const ConfigError& error) { throw loaded.locations.locate(error); }
+}
+
+int say_end(const RunSummary& summary, const std::string& program) {
+  if (summary.exit_code() != 0) say(program, summary.fault);
+  return summary.exit_code();
+}
+
+std::string describe(const Metrics& metrics) {
+  const auto us = [](std::chrono::nanoseconds time) { return static_cast<double>(time.count()) / 1000; };
+  std::array<char, 320> text{};
+  std::snprintf(
+      text.data(), text.size(),
+      "%llu hops, %.2f s of sound; a hop took %.0f us (median), %.0f us (p99), %.0f us (longest): "
+      "%.2f %% of real time\n%llu hops dropped, %llu blocks lost, %llu samples clipped, %llu not finite",
+      static_cast<unsigned long long>(metrics.hops), metrics.sound_seconds,
+      us(metrics.hop_time.quantile(0.5)), us(metrics.hop_time.quantile(0.99)), us(metrics.hop_time.max()),
+      100 * metrics.real_time_share(), static_cast<unsigned long long>(metrics.dropped_hops),
+      static_cast<unsigned long long>(metrics.overruns),
+      static_cast<unsigned long long>(metrics.clipped_samples),
+      static_cast<unsigned long long>(metrics.non_finite_samples));
+  return text.data();
+}
+
+}  // namespace odas
