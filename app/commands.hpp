@@ -16,5 +16,6 @@ struct ExitCode {
 
 void add_check(CLI::App& app);
 void add_live(CLI::App& app);
+void add_run(CLI::App& app);
 
 }  // namespace odas

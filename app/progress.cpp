@@ -34,7 +34,7 @@ void Progress::clear() {
 void Progress::show(double share) {
   if (!on_terminal_) return;
   const Clock::time_point now = Clock::now();
-  if (now - last_ < std::chrono::milliseconds(100)) return;
+  if (drawn_ && now - last_ < std::chrono::milliseconds(100)) return;
   last_ = now;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double left = share > 0 ? elapsed * (1 - share) / share : 0;

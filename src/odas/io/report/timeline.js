@@ -60,7 +60,7 @@ function drawAngles(canvas, key, low, high, step, wraps) {
   drawPotentials(c, key, (time) => timeToX(time, width), y);
   for (const source of data.sources) drawTrack(c, source, key, (time) => timeToX(time, width), y, wraps);
   const labels = [];
-  for (const source of data.sources) drawLabel(c, source, key, width, y, labels);
+  for (const source of data.sources) drawLabel(c, source, key, [width, height], y, labels);
   c.restore();
 }
 
@@ -102,12 +102,12 @@ function drawTrack(c, source, key, x, y, wraps) {
 }
 
 /** The number of a source where it is first in sight, unless another number is there. */
-function drawLabel(c, source, key, width, y, labels) {
+function drawLabel(c, source, key, [width, height], y, labels) {
   if (source.to < shown.from || source.from > shown.to) return;
   const text = String(source.id), half = 7 + 3.2 * text.length;
   const first = Math.max(source.from, shown.from);
   const x = Math.max(kGutter + half, Math.min(timeToX(first, width), width - kRight - half));
-  const top = Math.max(9, y(placeAt(source, first)[key]));
+  const top = Math.max(9, Math.min(height - kBottom - 6, y(placeAt(source, first)[key])));
   if (labels.some((l) => Math.abs(l.x - x) < l.half + half && Math.abs(l.top - top) < 18)) return;
   labels.push({ x, top, half });
   c.fillStyle = theme(source.colour);
