@@ -15,6 +15,8 @@ Schema ClassifyConfig::schema() {
       field<&C::gamma>("gamma", "", kUnit, "weight of the new value in the share of voiced hops"),
       field<&C::phi_min>("phiMin", "", kNotNegative, "slope from which a pitch counts as moving"),
       field<&C::r0>("r0", "", kUnit, "share of voiced hops from which a source is speech"),
+      field<&C::voicing_min>("voicingMin", "", kUnit,
+                             "least height of a pitch's peak, 1 being a periodic sound; 0: any, as ODAS"),
   };
   return fields;
 }

@@ -16,6 +16,7 @@ struct ClassifyConfig {
   float gamma = 0.05F;
   float phi_min = 0.15F;
   float r0 = 0.2F;
+  float voicing_min = 0.35F;
   static Schema schema();
 };
 
