@@ -48,19 +48,22 @@ void PitchClassifier::classify(GridView<const float> separated, std::span<const 
       continue;
     }
     listen(slot, separated[s]);
-    follow_pitch(slot, detector_.period(slot.frame));
+    // In a frame that is not full yet, the pitch seems to move.
+    follow_pitch(slot, slot.heard >= slot.frame.size() ? detector_.period(slot.frame) : 0);
     categories[s] = slot.voiced_share > config_.r0 ? Category::speech : Category::nonspeech;
   }
 }
 
 void PitchClassifier::forget(Slot& slot) noexcept {
   std::fill(slot.frame.begin(), slot.frame.end(), 0.F);
+  slot.heard = 0;
   slot.period = slot.step = slot.slope = slot.voiced_share = 0;
 }
 
 void PitchClassifier::listen(Slot& slot, std::span<const float> hop) noexcept {
   const auto kept = std::move(slot.frame.begin() + static_cast<std::ptrdiff_t>(hop.size()), slot.frame.end(),
                               slot.frame.begin());
+  slot.heard = std::min(slot.heard + hop.size(), slot.frame.size());
   std::transform(hop.begin(), hop.end(), kept, [](float x) { return std::isfinite(x) ? x : 0; });
 }
 

@@ -37,6 +37,7 @@ class PitchClassifier final : public Classifier {
   struct Slot {
     std::uint64_t id = 0;
     std::vector<float> frame;  // the last N samples
+    std::size_t heard = 0;     // how many of them are sound
     float period = 0;          // t; 0: none
     float step = 0;            // d
     float slope = 0;           // s
