@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "odas/io/report_sink.hpp"
 
+#include <algorithm>
+
 #include "odas/base/error.hpp"
 
 namespace odas {
@@ -11,6 +13,8 @@ VoiceRecorder::Format format_of(const GeneralConfig& general) {
   return {general.samplerate.mu, general.size.hop_size / rate,
           (general.size.frame_size - general.size.hop_size) / rate};
 }
+
+bool too_loud(float sample) { return sample > 1 || sample < -1; }
 
 }  // namespace
 
@@ -30,6 +34,8 @@ IoStatus ReportSink::write(const HopResult& hop) {
       const auto from = hop.separated[slot];
       const auto to = amplified_[slot];
       for (std::size_t i = 0; i < from.size(); ++i) to[i] = gain_ * from[i];
+      if (hop.tracks[slot].id != 0)
+        clipped_ += static_cast<std::uint64_t>(std::ranges::count_if(to, too_loud));
     }
     recorder_.add(hop.time, hop.tracks, amplified_);
     return {};

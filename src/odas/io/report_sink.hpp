@@ -20,6 +20,7 @@ class ReportSink final : public Sink {
   [[nodiscard]] Wanted wanted() const noexcept override { return {true, true, true, false}; }
   IoStatus write(const HopResult& hop) override;
   IoStatus close() override;
+  [[nodiscard]] std::uint64_t clipped_samples() const noexcept override { return clipped_; }
 
   [[nodiscard]] const ReportHistory& history() const noexcept { return history_; }
   [[nodiscard]] const std::vector<Voice>& voices() const noexcept { return recorder_.voices(); }
@@ -30,6 +31,7 @@ class ReportSink final : public Sink {
   ReportHistory history_;
   VoiceRecorder recorder_;
   Grid<float> amplified_;
+  std::uint64_t clipped_ = 0;  // of the voices that were followed
 };
 
 }  // namespace odas
