@@ -17,5 +17,6 @@ struct ExitCode {
 void add_check(CLI::App& app);
 void add_live(CLI::App& app);
 void add_run(CLI::App& app);
+void add_simulate(CLI::App& app);
 
 }  // namespace odas

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "odas/base/vec3.hpp"
+#include "odas/scene/delay_filter.hpp"
+#include "odas/scene/scene.hpp"
+
+namespace odas {
+
+/// Which reflections to take: by how many walls they met.
+struct Orders {
+  int first = 0;
+  int last = 1 << 20;
+};
+
+/// A shoebox room: impulse responses from a point to the microphones, by image sources.
+///
+/// Method: each image at distance d, after n walls, gives beta^n / d at d / c, times the gain of the
+/// microphone's pattern for its direction. The direct path at 1 m has gain 1.
+/// Symbols: beta < 0: reflection of all walls alike. Negative, since the images of hard walls (beta > 0) pile
+/// up at 0 Hz, and so does what the ear never hears (Lehmann and Johansson, 2008).
+/// beta comes from the rt60 asked for: Eyring's formula, then by bisection until the energy that the images
+/// bring decays as asked (-5 to -35 dB, times two), for Eyring is wrong in a shoebox.
+/// Source: Allen and Berkley, JASA 65(4), 1979; Lehmann and Johansson, JASA 124(1), 2008.
+/// Fails: no scattering, no absorption by frequency, no diffraction by the array's body.
+class Room {
+ public:
+  explicit Room(const Scene& scene);
+
+  /// Samples that every response has.
+  [[nodiscard]] std::size_t response_length(float farthest_source) const noexcept;
+  /// Adds to `response` what comes from `source` (m, from the middle of the array) to `mic`.
+  void add_response(Vec3 source, const SceneMic& mic, Orders orders, std::span<float> response) const;
+  /// 0 in the free field.
+  [[nodiscard]] float reflection() const noexcept { return reflection_; }
+
+ private:
+  struct Image {
+    float offset;  // along one axis, from the microphone, m
+    int walls;
+  };
+  void images_along(float length, float source, float mic, float radius, Orders orders,
+                    std::vector<Image>& images) const;
+  template <class Visit>
+  void for_each_image(Vec3 source, Vec3 mic, Orders orders, float radius, Visit&& visit) const;
+  [[nodiscard]] double decay_time(const std::vector<std::vector<double>>& energy, double reflection) const;
+  void match_decay(Vec3 source);
+
+  Vec3 size_;
+  Vec3 middle_;
+  float rt60_;
+  float speed_;
+  float rate_;
+  float reflection_ = 0;
+  std::vector<float> powers_;  // [walls]
+  DelayFilter delay_;
+};
+
+}  // namespace odas
