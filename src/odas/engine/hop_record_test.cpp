@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "odas/engine/hop_record.hpp"
+
+#include "support/allocation_counter.hpp"
+#include "support/fake_io.hpp"
+#include <gtest/gtest.h>
+
+namespace odas {
+namespace {
+
+test::HopOfHand some_hop(const PipelineConfig& config) {
+  const std::size_t slots = config.sst.slots();
+  const auto size = static_cast<std::size_t>(config.general.size.hop_size);
+  test::HopOfHand hop;
+  hop.potentials.resize(static_cast<std::size_t>(config.ssl.n_pots));
+  hop.potentials[0].energy = 0.5F;
+  hop.tracks.resize(slots);
+  hop.tracks[1].id = 42;
+  hop.separated = test::noise(slots, size);
+  hop.postfiltered = test::noise(slots, size, 2);
+  return hop;
+}
+
+TEST(HopRecord, holds_a_copy_of_what_is_wanted) {
+  const PipelineConfig config = test::small_configuration().pipeline;
+  HopRecord record({true, true, true, true}, config);
+  test::HopOfHand hop = some_hop(config);
+  record.assign(hop.result(9));
+  const Grid<float> separated = hop.separated;
+  hop.separated.fill(0);
+  hop.tracks[1].id = 0;
+  const HopResult view = record.view();
+  EXPECT_EQ(view.time, 9U);
+  EXPECT_EQ(view.potentials[0].energy, 0.5F);
+  EXPECT_EQ(view.tracks[1].id, 42U);
+  EXPECT_EQ(view.separated[1][5], separated[1][5]);
+  EXPECT_EQ(view.postfiltered[1][5], hop.postfiltered[1][5]);
+}
+
+TEST(HopRecord, has_no_room_for_what_nobody_wants) {
+  const PipelineConfig config = test::small_configuration().pipeline;
+  HopRecord record({false, true, false, false}, config);
+  record.assign(some_hop(config).result(1));
+  const HopResult view = record.view();
+  EXPECT_TRUE(view.potentials.empty());
+  EXPECT_TRUE(view.separated.empty());
+  EXPECT_EQ(view.tracks.size(), config.sst.slots());
+}
+
+TEST(HopRecord, allocates_nothing_for_a_hop) {
+  const PipelineConfig config = test::small_configuration().pipeline;
+  HopRecord record({true, true, true, true}, config);
+  const test::HopOfHand hop = some_hop(config);
+  const auto before = test::allocations();
+  record.assign(hop.result(1));
+  EXPECT_EQ(test::allocations(), before);
+}
+
+}  // namespace
+}  // namespace odas
