@@ -150,7 +150,7 @@ void run(const Arguments& arguments) {
 
   const auto start = std::chrono::steady_clock::now();
   const RunSummary summary = process(reference ? *reference : *recording, loaded.config, pipeline, sinks);
-  if (reference) reference->close();
+  const IoStatus kept = reference ? reference->close() : IoStatus();
 
   facts.recording = arguments.recording;
   facts.config_file = arguments.config;
@@ -162,7 +162,12 @@ void run(const Arguments& arguments) {
   if (summary.end == RunSummary::End::sink_failed) {
     throw IoError(summary.fault + ". The run ends here; what was written is whole.");
   }
-  write_run_report(out, facts, summary, loaded.config.pipeline, report);
+  try {
+    if (!kept.ok()) throw IoError(kept.what());
+    write_run_report(out, facts, summary, loaded.config.pipeline, report);
+  } catch (const IoError&) {
+    if (summary.exit_code() == 0) throw;  // else the first fault is the one to tell
+  }
   print_table(report);
   const double seconds = static_cast<double>(summary.frames) / facts.sample_rate;
   say(fmt::format("{:.1f} s of sound in {:.2f} s, {}", seconds, facts.work_seconds,

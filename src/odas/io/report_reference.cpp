@@ -3,12 +3,17 @@
 
 #include <cmath>
 
-#include "odas/base/error.hpp"
+#include "odas/io/pcm.hpp"
 
 namespace odas {
+namespace {
+
+constexpr int kBits = 16;
+
+}  // namespace
 
 ReferenceTap::ReferenceTap(AudioSource& source, std::size_t channel, const std::filesystem::path& file)
-    : source_(source), channel_(channel), wav_(file, source.sample_rate()) {}
+    : source_(source), channel_(channel), wav_(file, {source.sample_rate(), 1, kBits}) {}
 
 ReadResult ReferenceTap::read(GridView<float> block) {
   ReadResult result = source_.read(block);
@@ -18,11 +23,11 @@ ReadResult ReferenceTap::read(GridView<float> block) {
   for (float& sample : finite_) {
     if (!std::isfinite(sample)) sample = 0;  // as the pipeline takes it
   }
-  try {
-    wav_.write(finite_);
-  } catch (const IoError& error) {
+  bytes_.resize(finite_.size() * pcm_bytes(kBits));
+  encode_pcm(GridView<const float>(finite_.data(), 1, finite_.size()), 1, kBits, bytes_);
+  if (IoStatus written = wav_.write(bytes_); !written.ok()) {
     result.end = true;
-    result.status = IoStatus::failed(error.what());
+    result.status = std::move(written);
   }
   return result;
 }

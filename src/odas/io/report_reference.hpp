@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "odas/engine/audio_source.hpp"
-#include "odas/io/mono_wav.hpp"
+#include "odas/io/wav_writer.hpp"
 
 namespace odas {
 
@@ -25,14 +25,15 @@ class ReferenceTap final : public AudioSource {
   [[nodiscard]] ReadResult read(GridView<float> block) override;
   [[nodiscard]] std::string warning() const override { return source_.warning(); }
 
-  /// Finishes the file. Throws IoError.
-  void close() { wav_.close(); }
+  /// Finishes the file.
+  IoStatus close() { return wav_.close(); }
 
  private:
   AudioSource& source_;
   std::size_t channel_;
-  MonoWav wav_;
+  WavWriter wav_;
   std::vector<float> finite_;
+  std::vector<char> bytes_;
 };
 
 }  // namespace odas

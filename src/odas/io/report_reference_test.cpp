@@ -54,7 +54,7 @@ TEST(ReferenceTap, keeps_its_channel_and_passes_all_on) {
     frames += result.frames;
     end = result.end;
   }
-  tap.close();
+  ASSERT_TRUE(tap.close().ok());
   EXPECT_EQ(frames, 10U);
   EXPECT_FLOAT_EQ(block[2][1], 0.209F);  // the last frame, in the source's own channel
 

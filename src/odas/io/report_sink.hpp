@@ -19,19 +19,19 @@ class ReportSink final : public Sink {
   [[nodiscard]] std::string name() const override { return "voices"; }
   [[nodiscard]] Wanted wanted() const noexcept override { return {true, true, true, false}; }
   IoStatus write(const HopResult& hop) override;
+  IoStatus flush() override { return recorder_.flush(); }
   IoStatus close() override;
-  [[nodiscard]] std::uint64_t clipped_samples() const noexcept override { return clipped_; }
+  [[nodiscard]] std::uint64_t clipped_samples() const noexcept override {
+    return recorder_.clipped_samples();
+  }
 
   [[nodiscard]] const ReportHistory& history() const noexcept { return history_; }
   [[nodiscard]] const std::vector<Voice>& voices() const noexcept { return recorder_.voices(); }
 
  private:
   std::filesystem::path folder_;
-  float gain_;
   ReportHistory history_;
   VoiceRecorder recorder_;
-  Grid<float> amplified_;
-  std::uint64_t clipped_ = 0;  // of the voices that were followed
 };
 
 }  // namespace odas

@@ -58,21 +58,6 @@ TEST_F(ReportSinkTest, writes_the_voices_with_their_gain_and_remembers_their_way
   EXPECT_EQ(nlohmann::json::parse(std::ifstream(folder_ / "voices/index.json"))[0]["id"], 4);
 }
 
-TEST_F(ReportSinkTest, counts_what_its_gain_makes_too_loud) {
-  PipelineConfig config;
-  config.sss.gain_sep = 8;
-  ReportSink sink(folder_, config);
-  Grid<float> audio(1, 128);
-  audio.fill(0.25F);
-  Track track;
-  ASSERT_TRUE(sink.write(hop(1, {track}, audio)).ok());
-  EXPECT_EQ(sink.clipped_samples(), 0U) << "nobody is followed, nothing is written";
-  track.id = 1;
-  ASSERT_TRUE(sink.write(hop(2, {track}, audio)).ok());
-  EXPECT_EQ(sink.clipped_samples(), 128U);
-  ASSERT_TRUE(sink.close().ok());
-}
-
 TEST_F(ReportSinkTest, says_what_it_could_not_write) {
   ReportSink sink(folder_, PipelineConfig{});
   fs::remove_all(folder_);

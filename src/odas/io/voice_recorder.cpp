@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "odas/base/error.hpp"
+#include "odas/io/pcm.hpp"
 
 namespace odas {
 
@@ -16,6 +17,8 @@ namespace fs = std::filesystem;
 std::string voice_file_name(std::uint64_t id) { return "source_" + std::to_string(id) + ".wav"; }
 
 namespace {
+
+constexpr int kBits = 16;
 
 /// Only names that this program gives: a user may keep other files here.
 bool is_voice(const std::string& name) {
@@ -41,31 +44,52 @@ VoiceRecorder::VoiceRecorder(fs::path folder, Format format) : folder_(std::move
   }
 }
 
-void VoiceRecorder::add(HopIndex time, std::span<const Track> tracks, GridView<const float> audio) {
+IoStatus VoiceRecorder::add(HopIndex time, std::span<const Track> tracks, GridView<const float> audio) {
   if (open_.size() < tracks.size()) open_.resize(tracks.size());
+  bytes_.resize(audio.cols() * pcm_bytes(kBits));
   for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
-    std::optional<Open>& open = open_[slot];
+    Open& open = open_[slot];
     const std::uint64_t id = tracks[slot].id;
-    if (open && voices_[open->voice].id != id) {
-      open->wav.close();
-      open.reset();
+    if (open.wav && voices_[open.voice].id != id) {
+      IoStatus closed = open.wav->close();
+      open.wav.reset();
+      if (!closed.ok()) return closed;
     }
     if (id == 0) continue;
-    if (!open) {
+    if (!open.wav) {
       const double start = static_cast<double>(time - 1) * format_.hop_seconds - format_.delay_s;
+      try {
+        open.wav = std::make_unique<WavWriter>(folder_ / voice_file_name(id),
+                                               WavWriter::Format{format_.sample_rate, 1, kBits});
+      } catch (const IoError& error) { return IoStatus::failed(error.what()); }
+      open.voice = voices_.size();
       voices_.push_back({id, voice_file_name(id), start, 0});
-      open.emplace(Open{voices_.size() - 1, MonoWav(folder_ / voices_.back().file, format_.sample_rate)});
     }
-    open->wav.write(audio[slot]);
-    voices_[open->voice].seconds += static_cast<double>(audio.cols()) / format_.sample_rate;
+    const GridView<const float> voice(audio[slot].data(), 1, audio.cols());
+    clipped_ += encode_pcm(voice, format_.gain, kBits, bytes_);
+    if (IoStatus written = open.wav->write(bytes_); !written.ok()) return written;
+    voices_[open.voice].seconds += static_cast<double>(audio.cols()) / format_.sample_rate;
   }
+  return {};
 }
 
-void VoiceRecorder::close() {
-  for (auto& open : open_) {
-    if (open) open->wav.close();
-    open.reset();
+IoStatus VoiceRecorder::flush() {
+  for (const Open& open : open_) {
+    if (!open.wav) continue;
+    if (IoStatus status = open.wav->flush(); !status.ok()) return status;
   }
+  return {};
+}
+
+IoStatus VoiceRecorder::close() {
+  IoStatus first;
+  for (Open& open : open_) {
+    if (!open.wav) continue;
+    IoStatus status = open.wav->close();
+    if (first.ok()) first = status;
+    open.wav.reset();
+  }
+  return first;
 }
 
 void write_voice_index(const fs::path& file, std::span<const Voice> voices,

@@ -2,14 +2,15 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "odas/array/types.hpp"
-#include "odas/io/mono_wav.hpp"
+#include "odas/engine/io_status.hpp"
 #include "odas/io/report_history.hpp"
+#include "odas/io/wav_writer.hpp"
 
 namespace odas {
 
@@ -32,30 +33,37 @@ class VoiceRecorder {
     int sample_rate = 16000;  // of the voices
     double hop_seconds = 0;   // of a time step
     double delay_s = 0;       // by which the voices come later than the microphones
+    float gain = 1;
   };
 
   /// Makes the folder; removes the voices of an earlier run. Throws IoError.
   VoiceRecorder(std::filesystem::path folder, Format format);
 
-  /// `audio` is [slot][samples of this hop]. Throws IoError.
-  void add(HopIndex time, std::span<const Track> tracks, GridView<const float> audio);
+  /// `audio` is [slot][samples of this hop].
+  IoStatus add(HopIndex time, std::span<const Track> tracks, GridView<const float> audio);
 
-  /// Finishes all files. Throws IoError.
-  void close();
+  /// What was written so far is valid where it lies.
+  IoStatus flush();
+  /// Finishes all files, also after a failure.
+  IoStatus close();
 
   /// In order of appearance.
   [[nodiscard]] const std::vector<Voice>& voices() const noexcept { return voices_; }
+  /// Samples that were louder than full scale, and were held at it.
+  [[nodiscard]] std::uint64_t clipped_samples() const noexcept { return clipped_; }
 
  private:
   struct Open {
-    std::size_t voice;  // index in voices_
-    MonoWav wav;
+    std::size_t voice = 0;           // index in voices_
+    std::unique_ptr<WavWriter> wav;  // none: the slot is empty
   };
 
   std::filesystem::path folder_;
   Format format_;
   std::vector<Voice> voices_;
-  std::vector<std::optional<Open>> open_;  // [slot]
+  std::vector<Open> open_;  // [slot]
+  std::vector<char> bytes_;
+  std::uint64_t clipped_ = 0;
 };
 
 /// `index.json` beside the voices: id, tag, file, time and mean direction of each. Throws IoError.

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kHop = 128;
-constexpr VoiceRecorder::Format kFormat{16000, 0.008, 0.008};
+constexpr VoiceRecorder::Format kFormat{16000, 0.008, 0.008, 1};
 
 class VoiceRecorderTest : public testing::Test {
  protected:
@@ -37,9 +37,9 @@ class VoiceRecorderTest : public testing::Test {
         tracks[slot].id = pair[slot];
         std::ranges::fill(audio[slot], static_cast<float>(time) / 1000 + static_cast<float>(slot) / 10);
       }
-      recorder.add(time, tracks, audio);
+      ASSERT_TRUE(recorder.add(time, tracks, audio).ok());
     }
-    recorder.close();
+    ASSERT_TRUE(recorder.close().ok());
   }
 
   [[nodiscard]] std::vector<float> samples(const std::string& file) const {
@@ -95,6 +95,29 @@ TEST_F(VoiceRecorderTest, removes_the_voices_of_an_earlier_run_and_nothing_else)
 TEST_F(VoiceRecorderTest, refuses_a_folder_that_is_a_file) {
   std::ofstream(folder_) << "x";
   EXPECT_THROW(VoiceRecorder(folder_, kFormat), IoError);
+}
+
+TEST_F(VoiceRecorderTest, is_valid_after_each_flush) {
+  VoiceRecorder recorder(folder_, kFormat);
+  Grid<float> audio(1, kHop);
+  Track track;
+  track.id = 1;
+  for (HopIndex t = 1; t <= 10; ++t) ASSERT_TRUE(recorder.add(t, {&track, 1}, audio).ok());
+  ASSERT_TRUE(recorder.flush().ok());
+  EXPECT_EQ(samples("source_1.wav").size(), 10 * kHop);
+}
+
+TEST_F(VoiceRecorderTest, holds_what_its_gain_makes_too_loud_and_counts_it) {
+  VoiceRecorder::Format loud = kFormat;
+  loud.gain = 8;
+  VoiceRecorder recorder(folder_, loud);
+  Grid<float> audio(2, kHop);
+  audio.fill(0.25F);
+  const std::array<Track, 2> tracks{Track{.id = 1}, Track{}};
+  ASSERT_TRUE(recorder.add(1, tracks, audio).ok());
+  ASSERT_TRUE(recorder.close().ok());
+  EXPECT_EQ(recorder.clipped_samples(), kHop) << "only what is written counts";
+  EXPECT_NEAR(samples("source_1.wav").front(), 1, 1e-4);
 }
 
 TEST_F(VoiceRecorderTest, lists_the_voices_with_their_places) {
