@@ -140,7 +140,7 @@ void Room::match_decay(Vec3 source) {
     const double middle = (low + high) / 2;
     (decay_time(energy, middle) < static_cast<double>(rt60_) ? low : high) = middle;
   }
-  reflection_ = -static_cast<float>((low + high) / 2);
+  reflection_ = static_cast<float>((low + high) / 2);
   powers_.resize(most + 64);
   for (std::size_t w = 1; w < powers_.size(); ++w) powers_[w] = powers_[w - 1] * reflection_;
 }

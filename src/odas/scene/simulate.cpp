@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "odas/base/contract.hpp"
 #include "odas/scene/activity.hpp"
@@ -19,6 +20,18 @@ constexpr Orders kLate{3, 1 << 20};
 constexpr double kEarlyStep = 0.008;  // s
 constexpr double kLateStep = 0.128;   // s
 constexpr float kHighestPeak = 0.95F;
+
+/// What lies under 20 Hz is no sound, but the images of a room would make much of it (room.hpp).
+void block_dc(std::vector<float>& sound, int sample_rate) {
+  const auto pole = static_cast<float>(std::exp(-2 * std::numbers::pi * 20 / sample_rate));
+  float in = 0;
+  float out = 0;
+  for (float& x : sound) {
+    out = x - in + pole * out;
+    in = x;
+    x = out;
+  }
+}
 
 float farthest(const SceneSource& source) {
   float distance = 0;
@@ -156,7 +169,8 @@ SimulatedScene simulate(const Scene& scene, const std::function<void(double)>& p
   result.mics = Grid<float>(scene.mics.size(), scene.samples());
   Grid<float> targets(scene.mics.size(), scene.samples());
   for (std::size_t s = 0; s < scene.sources.size(); ++s) {
-    const SceneSource& source = scene.sources[s];
+    SceneSource source = scene.sources[s];
+    if (scene.rt60 > 0) block_dc(source.sound, scene.sample_rate);
     report(static_cast<double>(s) / parts);
     Grid<float> image(scene.mics.size(), scene.samples());
     play(scene, room, source, image);
