@@ -9,12 +9,12 @@
 namespace odas {
 namespace {
 
-/// The delay of one pair from one direction, in interpolated samples.
-struct Delay {
-  float mean;   // from the middle of ODAS's array of lags on: pairs that mirror each other tie, and the
-                // rounding that this costs decides which of them grows first
-  float scale;  // sqrt(2 variance)
-};
+/// erf, and without the call where it is 1 to the last bit of a float.
+float erf(float x) noexcept {
+  constexpr float kSaturated = 4;
+  if (std::abs(x) < kSaturated) return std::erf(x);
+  return std::copysign(1.F, x);
+}
 
 class Training {
  public:
@@ -23,8 +23,15 @@ class Training {
       : level_(level),
         pairs_(pairs),
         patch_size_(SpherePatch(ssl.n_refined_levels).size()),
-        directions_(level.active_points().size() * patch_size_),
-        covered_(directions_.size(), 0.F),
+        x_(level.active_points().size() * patch_size_),
+        y_(x_.size()),
+        z_(x_.size()),
+        mean_(patch_size_),
+        scale_(patch_size_),
+        high_(patch_size_),
+        low_(patch_size_),
+        probability_(patch_size_),
+        covered_(x_.size(), 0.F),
         area_(pairs.size(), 1.F),
         delta_(pairs.size(), 0) {
     const float r = static_cast<float>(ssl.interp_rate);
@@ -43,10 +50,15 @@ class Training {
       }
     }
     const SpherePatch patch(ssl.n_refined_levels);
+    std::vector<Vec3> directions(patch_size_);
     for (std::size_t a = 0; a < level.active_points().size(); ++a) {
       const std::size_t u = level.active_points()[a];
-      patch.place(level.grid().points()[u], level.grid().points()[level.grid().nearest(u)],
-                  {directions_.data() + a * patch_size_, patch_size_});
+      patch.place(level.grid().points()[u], level.grid().points()[level.grid().nearest(u)], directions);
+      for (std::size_t f = 0; f < patch_size_; ++f) {
+        x_[a * patch_size_ + f] = directions[f].x;
+        y_[a * patch_size_ + f] = directions[f].y;
+        z_[a * patch_size_ + f] = directions[f].z;
+      }
     }
     for (std::size_t q = 0; q < pairs.size(); ++q) cover(q, -1, 0);
   }
@@ -68,22 +80,34 @@ class Training {
  private:
   static constexpr float kFullyCovered = 0.99999F;
 
-  [[nodiscard]] Delay delay(std::size_t q, Vec3 f) const noexcept {
-    const float d = dot(baselines_[q], f);
+  /// The delays of pair `q` from the patch of active point `a`, in interpolated samples.
+  void delays(std::size_t q, std::size_t a) noexcept {
+    const Vec3 b = baselines_[q];
     const auto& s = position_variances_[q];
-    const float placement = f.x * (s[0] * f.x + s[1] * f.y + s[2] * f.z) +
-                            f.y * (s[3] * f.x + s[4] * f.y + s[5] * f.z) +
-                            f.z * (s[6] * f.x + s[7] * f.y + s[8] * f.z);
-    const float variance = per_metre_ * per_metre_ * placement + d * d * speed_variance_;
-    return {-rate_ * d / speed_ + middle_, std::sqrt(2 * variance)};
+    const float* x = x_.data() + a * patch_size_;
+    const float* y = y_.data() + a * patch_size_;
+    const float* z = z_.data() + a * patch_size_;
+    for (std::size_t f = 0; f < patch_size_; ++f) {
+      const float d = b.x * x[f] + b.y * y[f] + b.z * z[f];
+      const float placement = x[f] * (s[0] * x[f] + s[1] * y[f] + s[2] * z[f]) +
+                              y[f] * (s[3] * x[f] + s[4] * y[f] + s[5] * z[f]) +
+                              z[f] * (s[6] * x[f] + s[7] * y[f] + s[8] * z[f]);
+      const float variance = per_metre_ * per_metre_ * placement + d * d * speed_variance_;
+      mean_[f] = -rate_ * d / speed_ + middle_;
+      scale_[f] = std::sqrt(2 * variance);
+    }
   }
 
-  /// Probability that the delay lies within lag +- (delta + 1/2).
-  [[nodiscard]] float probability(const Delay& delay, int lag, int delta) const noexcept {
+  /// Probability of each of these delays to lie within lag +- (delta + 1/2), in `probability_`.
+  void probabilities(int lag, int delta) noexcept {
     const float half = static_cast<float>(delta) + 0.5F;
-    const float centre = static_cast<float>(lag) + middle_;
-    return 0.5F * (std::erf((centre + half - delay.mean) / delay.scale) -
-                   std::erf((centre - half - delay.mean) / delay.scale));
+    const float high = static_cast<float>(lag) + middle_ + half;
+    const float low = static_cast<float>(lag) + middle_ - half;
+    for (std::size_t f = 0; f < patch_size_; ++f) {
+      high_[f] = (high - mean_[f]) / scale_[f];
+      low_[f] = (low - mean_[f]) / scale_[f];
+    }
+    for (std::size_t f = 0; f < patch_size_; ++f) probability_[f] = 0.5F * (erf(high_[f]) - erf(low_[f]));
   }
 
   /// Takes pair `q` from one delta to another (from -1: it counted for nothing so far).
@@ -94,13 +118,18 @@ class Training {
       const std::size_t u = level_.active_points()[a];
       if (level_.mask(u)[q] == 0) continue;
       const int lag = level_.lags(u)[q];
-      for (std::size_t f = a * patch_size_; f < (a + 1) * patch_size_; ++f) {
-        const Delay d = delay(q, directions_[f]);
-        const float p = probability(d, lag, to);
-        covered_[f] += from < 0 ? p : p - probability(d, lag, from);
-        sum += p;
-        ++count;
+      float* covered = covered_.data() + a * patch_size_;
+      delays(q, a);
+      if (from >= 0) {
+        probabilities(lag, from);
+        for (std::size_t f = 0; f < patch_size_; ++f) covered[f] -= probability_[f];
       }
+      probabilities(lag, to);
+      for (std::size_t f = 0; f < patch_size_; ++f) {
+        covered[f] += probability_[f];
+        sum += probability_[f];
+      }
+      count += patch_size_;
     }
     area_[q] = count > 0 ? sum / static_cast<float>(count) : 1.F;
   }
@@ -119,10 +148,14 @@ class Training {
   const ScanLevel& level_;
   std::span<const Pair> pairs_;
   std::size_t patch_size_;
-  std::vector<Vec3> directions_;  // [active point x patch]
-  std::vector<float> covered_;    // [active point x patch]: sum over pairs of the probability
-  std::vector<float> area_;       // [pair]: mean probability
-  std::vector<int> delta_;        // [pair]
+  std::vector<float> x_, y_, z_;  // [active point x patch]: the directions, so that loops become vectors
+  // [patch]: the delays of one pair, counted from the middle of ODAS's array of lags on (pairs that mirror
+  // each other tie, and the rounding that this costs decides which of them grows first); the bounds of its
+  // window in units of sqrt(2) sigma; its probability to lie between them.
+  std::vector<float> mean_, scale_, high_, low_, probability_;
+  std::vector<float> covered_;  // [active point x patch]: sum over pairs of the probability
+  std::vector<float> area_;     // [pair]: mean probability
+  std::vector<int> delta_;      // [pair]
   std::vector<Vec3> baselines_;
   std::vector<std::array<float, 9>> position_variances_;
   float rate_ = 0;            // samples per second, interpolated
