@@ -128,6 +128,18 @@ void print_table(const ReportSink& report) {
   if (std::fflush(stdout) != 0) throw IoError("cannot write to standard output");
 }
 
+/// Who was where on stdout; all else on stderr.
+void tell(const RunFacts& facts, const RunSummary& summary, const ReportSink& report, const fs::path& out) {
+  print_table(report);
+  const double seconds = static_cast<double>(summary.frames) / facts.sample_rate;
+  say(fmt::format("{:.1f} s of sound in {:.2f} s, {}", seconds, facts.work_seconds,
+                  speed_text(seconds, facts.work_seconds)));
+  say("report: " + (out / "report.html").string());
+  if (summary.end == RunSummary::End::stopped) {
+    say(fmt::format("stopped at {:.1f} s; all files are finished", seconds));
+  }
+}
+
 void run(const Arguments& arguments) {
   LoadedConfiguration loaded = load_configuration(arguments.config);
   RunFacts facts;
@@ -160,21 +172,12 @@ void run(const Arguments& arguments) {
   facts.work_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   facts.warnings.insert(facts.warnings.end(), summary.warnings.begin(), summary.warnings.end());
   if (summary.end == RunSummary::End::sink_failed) {
-    throw IoError(summary.fault + ". The run ends here; what was written is whole.");
+    throw IoError(summary.fault + "; the run ends here, what was written is whole");
   }
-  try {
-    if (!kept.ok()) throw IoError(kept.what());
-    write_run_report(out, facts, summary, loaded.config.pipeline, report);
-  } catch (const IoError&) {
-    if (summary.exit_code() == 0) throw;  // else the first fault is the one to tell
-  }
-  print_table(report);
-  const double seconds = static_cast<double>(summary.frames) / facts.sample_rate;
-  say(fmt::format("{:.1f} s of sound in {:.2f} s, {}", seconds, facts.work_seconds,
-                  speed_text(seconds, facts.work_seconds)));
-  say("report: " + (out / "report.html").string());
-  if (summary.end == RunSummary::End::stopped)
-    say(fmt::format("stopped at {:.1f} s; all files are finished", seconds));
+  // A recording that broke off is told last: what was heard of it comes first.
+  if (!kept.ok() && summary.exit_code() == 0) throw IoError(kept.what());
+  write_run_report(out, facts, summary, loaded.config.pipeline, report);
+  tell(facts, summary, report, out);
   if (summary.exit_code() != 0) throw IoError(summary.fault);
 }
 
