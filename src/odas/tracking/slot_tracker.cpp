@@ -90,6 +90,7 @@ void SlotTracker<Filter>::follow(std::span<const Potential> potentials) noexcept
       const double mean = slot.activity_on_probation / slot.hops_on_probation;
       if (slot.hops_on_probation >= config_.n_prob && mean >= static_cast<double>(config_.theta_prob)) {
         slot.stage = Stage::active;
+        slot.id = ++last_id_;
         slot.silent_hops = 0;
       }
     }
@@ -143,7 +144,7 @@ void SlotTracker<Filter>::start(Slot& slot, Stage stage, const ShortString<63>& 
                                 Vec3 direction) noexcept {
   slot = Slot{.filter = prototype_};
   slot.stage = stage;
-  slot.id = ++last_id_;
+  if (stage == Stage::target) slot.id = ++last_id_;
   slot.tag = tag;
   slot.filter.start(direction);
 }

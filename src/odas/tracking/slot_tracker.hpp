@@ -19,8 +19,8 @@ namespace odas {
 /// probation in the first free slot. Only promoted tracks and targets are seen from outside.
 /// Source: Grondin and Michaud, 2019, section 4; ODAS (its mod_sst).
 /// Departures from ODAS: several tracks may be born in one hop, as long as the later ones are not explained
-/// by those just born (ODAS wrote all into the same slot and the last one won); ids do not skip; directions
-/// have length 1.
+/// by those just born (ODAS wrote all into the same slot and the last one won); a track gets its id when it
+/// is promoted, so that no id is lost on those that never are; directions have length 1.
 template <class Filter>
 class SlotTracker final : public Tracker {
  public:
@@ -34,7 +34,7 @@ class SlotTracker final : public Tracker {
   enum class Stage : std::uint8_t { free, probation, active, target };
   struct Slot {
     Stage stage = Stage::free;
-    std::uint64_t id = 0;
+    std::uint64_t id = 0;  // given when it is first seen from outside
     ShortString<63> tag{};
     Filter filter;
     int hops_on_probation = 0;
