@@ -18,5 +18,6 @@ void add_check(CLI::App& app);
 void add_live(CLI::App& app);
 void add_run(CLI::App& app);
 void add_simulate(CLI::App& app);
+void add_score(CLI::App& app);
 
 }  // namespace odas
