@@ -59,7 +59,7 @@ std::uint32_t quantise(std::span<const float> samples, float gain, std::int32_t*
   std::uint32_t held = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const float x = samples[i] * gain * kFull;
-    held += static_cast<std::uint32_t>(x >= kFull - 0.5F) | static_cast<std::uint32_t>(x <= -kFull - 0.5F);
+    held += static_cast<std::uint32_t>(x >= kFull - 0.5F) | static_cast<std::uint32_t>(x < -kFull);
     const float above = x > -kFull ? x : -kFull;  // so that NaN is held too
     values[i] = round_away(above < kFull - 1 ? above : kFull - 1);
   }
@@ -72,7 +72,7 @@ std::uint32_t quantise<32>(std::span<const float> samples, float gain, std::int3
   std::uint32_t held = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double x = static_cast<double>(samples[i] * gain) * kFull;
-    held += static_cast<std::uint32_t>(x >= kFull - 0.5) | static_cast<std::uint32_t>(x <= -kFull - 0.5);
+    held += static_cast<std::uint32_t>(x >= kFull - 0.5) | static_cast<std::uint32_t>(x < -kFull);
     const double above = x > -kFull ? x : -kFull;
     const double within = above < kFull - 1 ? above : kFull - 1;
     values[i] = static_cast<std::int32_t>(within + std::copysign(0.5, within));

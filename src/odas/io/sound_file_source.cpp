@@ -55,26 +55,29 @@ ReadResult SoundFileSource::read(GridView<float> block) {
   ReadResult result;
   result.frames = static_cast<std::size_t>(std::max<sf_count_t>(got, 0));
   result.end = result.frames < block.cols();
-  if (const int error = sf_error(sound_of(sound_.get())); error != 0) {
-    result.end = true;
-    result.status = IoStatus::failed("cannot read on in " + file_.string() + ": " + sf_error_number(error));
-  }
   for (std::size_t c = 0; c < channels_; ++c) {
     const float* from = interleaved_.data() + c;
     for (std::size_t i = 0; i < result.frames; ++i) block[c][i] = from[i * channels_];
   }
   delivered_ += result.frames;
   ended_ = result.end;
+  if (ended_ && delivered_ < total_.value_or(0)) {  // a FLAC whose frames are broken or not there
+    result.status =
+        IoStatus::failed("cannot read on in " + file_.string() + share(*total_) + ": it is cut or damaged");
+  }
   return result;
 }
 
-std::string SoundFileSource::warning() const {
-  if (!ended_ || delivered_ >= promised_) return {};
-  std::array<char, 96> times{};
+std::string SoundFileSource::share(std::uint64_t of) const {
+  std::array<char, 64> text{};
   const auto seconds = [&](std::uint64_t frames) { return static_cast<double>(frames) / sample_rate_; };
-  std::snprintf(times.data(), times.size(), " ends early: %.1f s of the %.1f s that its header speaks of",
-                seconds(delivered_), seconds(promised_));
-  return file_.string() + times.data() + "; it was cut";
+  std::snprintf(text.data(), text.size(), " after %.1f s of %.1f s", seconds(delivered_), seconds(of));
+  return text.data();
+}
+
+std::string SoundFileSource::warning() const {
+  if (!ended_ || delivered_ >= promised_ || delivered_ < total_.value_or(0)) return {};
+  return file_.string() + " ends early," + share(promised_) + " that its header speaks of: it was cut";
 }
 
 }  // namespace odas

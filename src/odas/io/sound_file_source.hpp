@@ -23,6 +23,9 @@ class SoundFileSource : public AudioSource {
   [[nodiscard]] std::string warning() const override;
 
  private:
+  /// " after 1.2 s of 2.0 s"
+  [[nodiscard]] std::string share(std::uint64_t of) const;
+
   struct Closer {
     void operator()(void* sound) const noexcept;
   };
