@@ -10,7 +10,7 @@ step() { printf '\n== %s (%d s since the start)\n' "$*" "$SECONDS"; }
 run_ctest() { ctest --test-dir "$1" --output-on-failure --no-tests=error -j "$jobs" "${@:2}" | quiet; }
 
 # Hundreds of passed tests say nothing; the others and the counts do.
-quiet() { grep -vE '^ *[0-9]+/[0-9]+ Test .* Passed |^ *Start +[0-9]+: ' || true; }
+quiet() { grep -vE "^ *[0-9]+/[0-9]+ Test .* Passed |^ *Start +[0-9]+: |^Internal ctest|^Test project" || true; }
 
 asan() {
   step "clang 14 builds everything; ASan and UBSan watch all tests"
