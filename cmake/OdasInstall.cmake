@@ -27,9 +27,9 @@ function(odas_install_pc library)
   configure_file(cmake/odas.pc.in ${CMAKE_CURRENT_BINARY_DIR}/${library}.pc @ONLY)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${library}.pc DESTINATION ${folder})
 endfunction()
-odas_install_pc(odas_core WHAT "the algorithms, without input and output" REQUIRES "fftw3f libhwy")
+odas_install_pc(odas_core WHAT "the algorithms, without input and output" REQUIRES "fftw3f samplerate libhwy")
 if(NOT ODAS_CORE_ONLY)
-  odas_install_pc(odas WHAT "all of it" REQUIRES "odas_core libconfig++ sndfile samplerate fmt" LIBS -pthread)
+  odas_install_pc(odas WHAT "all of it" REQUIRES "odas_core libconfig++ sndfile fmt" LIBS -pthread)
 endif()
 
 # Headers that name the libraries of the inside stay inside.
