@@ -12,9 +12,10 @@ namespace odas {
 
 namespace {
 
-constexpr int kQuality = SRC_SINC_MEDIUM_QUALITY;
+// Aliases stay under -97 dB, at less than half the cost and the delay of the next better one.
+constexpr int kQuality = SRC_SINC_FASTEST;
 // Half the length of libsamplerate's filter of that quality, in samples of the lower rate, rounded up.
-constexpr std::size_t kHalfLength = 46;
+constexpr std::size_t kHalfLength = 20;
 
 struct SrcDeleter {
   void operator()(SRC_STATE* state) const noexcept { src_delete(state); }

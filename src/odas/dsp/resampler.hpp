@@ -11,8 +11,8 @@ namespace odas {
 
 /// Several channels from one sample rate and block size to another: blocks in, hops out.
 ///
-/// Method: band-limited sinc interpolation (libsamplerate, "medium": pass band to 0.9 of the lower Nyquist
-/// frequency, aliases under -120 dB); at equal rates only the block size changes and samples are copied.
+/// Method: band-limited sinc interpolation (libsamplerate, "fastest": pass band to 0.8 of the lower Nyquist
+/// frequency, aliases under -97 dB); at equal rates only the block size changes and samples are copied.
 /// Source: J. O. Smith, "Digital audio resampling", CCRMA; ODAS's own (STFT low-pass and linear
 /// interpolation) loses up to 7.8 dB towards its Nyquist frequency. Shapes: blocks [channel][<= max_block],
 /// hops [channel][hop]. Delay: none in the content: output sample k is the input at k / out_rate seconds. It
