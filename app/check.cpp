@@ -38,7 +38,7 @@ void add_check(CLI::App& app) {
       "  odas check --keys > keys.md\n");
   auto file = std::make_shared<std::string>();
   auto keys = std::make_shared<bool>(false);
-  CLI::Option* file_option = check->add_option("FILE", *file, "Configuration to look at");
+  CLI::Option* file_option = check->add_option("FILE", *file, "Configuration to look at")->type_name("");
   CLI::Option* keys_option = check->add_flag("--keys", *keys, "Print the reference of all keys, in Markdown");
   keys_option->excludes(file_option);
   check->callback([file, keys, file_option] {

@@ -20,7 +20,7 @@ void add_live(CLI::App& app) {
       "  odas live -c my_array.cfg | jq .src      (with sst.tracked on the terminal, format jsonl)\n");
   auto file = std::make_shared<std::string>();
   auto verbose = std::make_shared<bool>(false);
-  live->add_option("-c,--config", *file, "Configuration to run")->required();
+  live->add_option("-c,--config", *file, "Configuration to run")->type_name("FILE")->required();
   live->add_flag("-v,--verbose", *verbose, "Say at the end what it has cost");
   live->callback([file, verbose] {
     const RunSummary summary = run_configuration(*file, {}, "odas", stop_on_signals());

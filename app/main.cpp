@@ -21,6 +21,12 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "odas " ODAS_VERSION);
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::help);
+  app.footer(
+      "'odas COMMAND --help' tells more of each.\n\n"
+      "Examples:\n"
+      "  odas check configs/respeaker_usb_4_mic.cfg\n"
+      "  odas run samples/sample_4mic.flac -c configs/sample.cfg -o out\n\n"
+      "Exit codes: 0 the input ended, or Ctrl-C; 1 something failed; 2 wrong usage or configuration.");
   for (const auto add : kCommands) add(app);
   try {
     app.parse(argc, argv);

@@ -189,9 +189,13 @@ void add_run(CLI::App& app) {
   command
       ->add_option("RECORDING", arguments->recording,
                    "WAV, FLAC, or headerless as `raw` of the configuration says")
+      ->type_name("")
       ->required();
-  command->add_option("-c,--config", arguments->config, "Configuration of the microphone array")->required();
-  command->add_option("-o,--out", arguments->out, "Folder for the results; made where it is missing")
+  command->add_option("-c,--config", arguments->config, "Configuration of the microphone array")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("-o,--out", arguments->out, "Folder for the results; made where it is absent")
+      ->type_name("FOLDER")
       ->required();
   command->add_flag("--odas-files", arguments->odas_files,
                     "Write ODAS's own formats, too: tracks.json, pots.json, separated.raw, postfiltered.raw");

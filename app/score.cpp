@@ -41,8 +41,8 @@ void add_score(CLI::App& app) {
   auto out = std::make_shared<std::string>();
   auto truth = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
-  command->add_option("OUT", *out, "Folder with what was heard")->required();
-  command->add_option("TRUTH", *truth, "Folder of the scene, or its truth.json")->required();
+  command->add_option("OUT", *out, "Folder with what was heard")->type_name("")->required();
+  command->add_option("TRUTH", *truth, "Folder of the scene, or its truth.json")->type_name("")->required();
   command->add_flag("--json", *json, "Print one JSON object");
   command->callback([out, truth, json] { score_folder(*out, *truth, *json); });
 }

@@ -46,8 +46,10 @@ void add_simulate(CLI::App& app) {
   auto file = std::make_shared<std::string>();
   auto folder = std::make_shared<std::string>();
   auto flac = std::make_shared<bool>(false);
-  command->add_option("SCENE", *file, "Scene to play")->required();
-  command->add_option("-o,--output", *folder, "Folder to write to; it is made where absent")->required();
+  command->add_option("SCENE", *file, "Scene to play")->type_name("")->required();
+  command->add_option("-o,--out", *folder, "Folder to write to; it is made where absent")
+      ->type_name("FOLDER")
+      ->required();
   command->add_flag("--flac", *flac, "Write mics.flac instead of mics.wav (up to 8 microphones)");
   command->callback([file, folder, flac] { simulate_file(*file, *folder, *flac); });
 }

@@ -9,9 +9,15 @@ target_compile_options(odas_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-fcx-limited-range>
   # g++ 12 sees overlaps in std::string that are not there (its bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
-target_include_directories(odas_flags INTERFACE
-  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_include_directories(odas_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_compile_features(odas_flags INTERFACE cxx_std_20)
+if(ODAS_CHECK_CONTRACTS)
+  target_compile_definitions(odas_flags INTERFACE ODAS_CHECK_CONTRACTS)
+endif()
+if(ODAS_SANITIZE)
+  target_compile_options(odas_flags INTERFACE -fsanitize=${ODAS_SANITIZE} -fno-sanitize-recover=all)
+  target_link_options(odas_flags INTERFACE -fsanitize=${ODAS_SANITIZE})
+endif()
 
 # odas_room(NAME [LIBRARIES ...]): one room of src/odas: an object library of its .cpp files, and, where
 # there are x_test.cpp files beside them, the test program NAME_test.

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+// Vectors whose length the compiler does not know cannot stand in the arrays below: on ARM, NEON does.
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "odas/localization/kernels.cpp"
 #include <hwy/foreach_target.h>

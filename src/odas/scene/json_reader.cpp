@@ -38,7 +38,8 @@ JsonReader::JsonReader(const nlohmann::json& value, std::string path, std::vecto
 }
 
 std::string JsonReader::path_of(const std::string& key) const {
-  return path_.empty() ? key : path_ + "." + key;
+  if (path_.empty() || key.empty()) return path_ + key;
+  return path_ + "." + key;
 }
 
 void JsonReader::fault(const std::string& key, std::string what) {

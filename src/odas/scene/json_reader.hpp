@@ -42,6 +42,7 @@ class JsonReader {
   std::vector<JsonReader> list(const char* key);
   [[nodiscard]] bool is_text(const char* key);
 
+  /// An empty `key`: the object itself.
   void fault(const std::string& key, std::string what);
   [[nodiscard]] std::string path_of(const std::string& key) const;
   /// Names the keys that nobody asked for.

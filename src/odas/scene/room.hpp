@@ -21,8 +21,9 @@ struct Orders {
 /// Method: each image at distance d, after n walls, gives beta^n / d at d / c, times the gain of the
 /// microphone's pattern for its direction. The direct path at 1 m has gain 1.
 /// Symbols: beta: pressure reflection of all walls alike, 0..1.
-/// beta comes from the rt60 asked for: Eyring's formula, then by bisection until the energy that the images
-/// bring decays as asked (-5 to -35 dB, times two), for Eyring is wrong in a shoebox.
+/// beta comes from the rt60 asked for by bisection, until the energy that the images bring decays as asked
+/// (from -5 to -35 dB, times two): the formulas of Sabine and Eyring take a field to be diffuse, which a
+/// shoebox without scattering is not.
 /// Source: Allen and Berkley, JASA 65(4), 1979; Lehmann and Johansson, JASA 124(1), 2008.
 /// Fails: no scattering, no absorption by frequency, no diffraction by the array's body. At 0 Hz all images
 /// add up, which no ear or microphone would hear: what is played should have nothing there.

@@ -40,7 +40,7 @@ std::string voice_table(const Score& score) {
   };
   const auto& in = score.separated ? score.separated : score.postfiltered;
   using S = SeparationScore;
-  std::string text = print("\nVoices, dB%34s%10s%10s\n", "mic 1", "separated", "filtered");
+  std::string text = print("\nVoices, dB%36s%10s%10s\n", "mic 1", "separated", "filtered");
   text += voice_rows("SDR, signal to distortion", of(in, &S::sdr_in), of(score.separated, &S::sdr),
                      of(score.postfiltered, &S::sdr));
   text += voice_rows("SI-SDR, the same without a filter", of(in, &S::si_sdr_in),
@@ -83,7 +83,7 @@ std::string score_table(const Score& score) {
   const auto& b = score.angle;
   std::string text =
       print("%.1f s, %zu talker%s\n\n", score.seconds, score.sources, score.sources == 1 ? "" : "s");
-  text += print("Directions%36s%10s\n", "azimuth", "3-D");
+  text += print("Directions%46s%10s\n", "azimuth", "3-D");
   text += row("strongest potential, median error, deg", a.potentials.median_deg, b.potentials.median_deg, 2);
   text +=
       row("strongest potential, within 15 deg, %", percent(a.potentials.hits), percent(b.potentials.hits), 1);

@@ -30,7 +30,8 @@ struct SoundRecipe {
   float gain_db = 0;  // over -30 dB of full scale at a distance of 1 m, RMS while it is active
 };
 
-/// The sound at `sample_rate`, at the most `samples` long. Throws IoError: no such file, no espeak-ng.
+/// The sound at `sample_rate`, at the most `samples` long. Throws IoError: no such file, no espeak-ng. A
+/// voice that espeak-ng does not know is no error: it speaks with its own, and does not say so.
 [[nodiscard]] std::vector<float> make_sound(const SoundRecipe& recipe, int sample_rate, std::size_t samples,
                                             std::uint32_t seed);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the run found, and the small helpers that every part of the page uses.
 const data = JSON.parse(document.getElementById("data").textContent);
 const byId = (id) => document.getElementById(id);

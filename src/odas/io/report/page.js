@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Puts the parts of the page together.
 function fillHeader() {
   byId("title").textContent = `What was heard in ${data.title}`;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One clip sounds at a time, all share one position in the recording.
 const player = { time: 0, playing: false, clip: data.clips.at(-1), onmove: () => {}, onstate: () => {} };
 

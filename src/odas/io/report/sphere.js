@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The unit sphere around the microphones, seen from outside in parallel projection.
 const kHome = { turn: -0.6, tilt: 0.5 };
 const kTrail = 3;  // seconds

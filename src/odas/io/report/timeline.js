@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Angles and waveforms over one common axis of time.
 const kGutter = 52, kRight = 14;  // --gutter in report.css
 const kBottom = 22;

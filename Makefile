@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+# The short way in; CMakePresets.json is the long one. `make help` tells what there is.
+SHELL := /bin/bash
+PREFIX ?= /usr/local
+JOBS ?= $(shell nproc)
+OUT ?= out/demo
+
+# ninja and ccache are taken where they are, and not needed.
+export CMAKE_GENERATOR ?= $(if $(shell command -v ninja),Ninja,Unix Makefiles)
+ifneq ($(shell command -v ccache),)
+export CMAKE_CXX_COMPILER_LAUNCHER ?= ccache
+endif
+export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
+
+.PHONY: all configure demo test check test-asan test-tsan test-arm64 bench install format tidy packages clean help
+
+all: configure  ## build the programs and libraries: build/bin/odas, build/bin/odaslive
+	cmake --build build --target programs
+
+configure: build/CMakeCache.txt
+
+build/CMakeCache.txt:
+	@scripts/install_packages.sh --check build
+	cmake --preset release -DODAS_BUILD_TESTS=OFF -DODAS_BUILD_BENCHES=OFF
+
+demo:  ## hear the sample recording: who was where, a report, and the voices, in out/demo
+	@scripts/install_packages.sh build
+	@$(MAKE) --no-print-directory all
+	build/bin/odas run samples/sample_4mic.flac -c configs/sample.cfg -o $(OUT)
+
+test:  ## all that must hold: both compilers, sanitizers, arm64, style, and every test (CI runs this)
+	@scripts/install_packages.sh build test
+	@scripts/test.sh asan tsan arm64-if-possible check
+
+check:  ## the tests of the release build, and the style: the quick part of `make test`
+	@scripts/install_packages.sh build test
+	@scripts/test.sh check
+
+test-asan test-tsan test-arm64:  ## one part of `make test`: ASan and UBSan, TSan, or arm64 under qemu
+	@scripts/install_packages.sh build test
+	@scripts/test.sh $(@:test-%=%)
+
+bench:  ## microseconds a hop of each stage, share of real time, instructions, start-up
+	@scripts/install_packages.sh build bench
+	cmake --preset release -DODAS_BUILD_BENCHES=ON
+	cmake --build build --target programs odas_bench
+	@bench/run.sh build
+
+install: all  ## install under PREFIX (/usr/local); DESTDIR is heeded
+	cmake --install build --prefix $(PREFIX)
+
+format:  ## lay out all C++ files with clang-format 14
+	@scripts/format.sh --fix
+
+tidy:  ## clang-tidy 19 over all files
+	@scripts/install_packages.sh build test
+	@scripts/tidy.sh all
+
+packages:  ## install the Debian packages that a build needs
+	@scripts/install_packages.sh build
+
+clean:  ## remove all builds
+	rm -rf build build-debug build-clang build-asan-ubsan build-tsan build-arm64
+
+help:  ## this list
+	@sed -nE 's/^([a-z0-9 -]+):[^#=]*  ## (.*)/\1\t\2/p' $(MAKEFILE_LIST) | \
+	  while IFS=$$'\t' read -r name text; do printf '  make %-12s %s\n' "$$name" "$$text"; done

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: MIT
+# make install: libraries with headers as the CMake package odas (odas::core, odas::odas), programs, array files,
+# man pages and completions.
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/odas)
+
+# Two sets of targets: who asks for the core alone need not have the libraries of the rest.
+set_target_properties(odas_core PROPERTIES EXPORT_NAME core)
+install(TARGETS odas_core EXPORT odas_core)
+install(EXPORT odas_core NAMESPACE odas:: FILE odasCoreTargets.cmake DESTINATION ${package_dir})
+if(NOT ODAS_CORE_ONLY)
+  install(TARGETS odas EXPORT odas)
+  install(EXPORT odas NAMESPACE odas:: FILE odasTargets.cmake DESTINATION ${package_dir})
+endif()
+configure_package_config_file(cmake/odasConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/odasConfig.cmake
+  INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/odasConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/odasConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/odasConfigVersion.cmake
+  DESTINATION ${package_dir})
+
+# Headers that name the libraries of the inside stay inside.
+foreach(room IN LISTS ODAS_ROOMS)
+  install(DIRECTORY src/odas/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/odas
+    FILES_MATCHING PATTERN "*.hpp" PATTERN "json_reader.hpp" EXCLUDE PATTERN "report" EXCLUDE)
+endforeach()
+
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+if(ODAS_BUILD_APPS AND NOT ODAS_CORE_ONLY)
+  install(TARGETS odas_app odaslive)
+  install(DIRECTORY configs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/odas/configs FILES_MATCHING PATTERN "*.cfg")
+  install(DIRECTORY packaging/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 FILES_MATCHING PATTERN "*.1")
+  foreach(program odas odaslive)
+    install(FILES packaging/completions/odas.bash
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${program})
+  endforeach()
+  install(FILES packaging/completions/_odas DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+  install(FILES packaging/completions/odas.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+endif()

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: MIT
+# bash completion of odas and odaslive
+
+_odas() {
+  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} command='' word options
+  COMPREPLY=()
+  for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
+    if [[ $word != -* ]]; then command=$word; break; fi
+  done
+  case $prev in
+    -c | --config) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -f -X '!*.cfg' -- "$cur"; compgen -d -- "$cur"); return ;;
+    -o | --out) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -d -- "$cur"); return ;;
+  esac
+  case $command in
+    '') options='run live simulate score check -h --help --version' ;;
+    run) options='-h --help -c --config -o --out --odas-files' ;;
+    live) options='-h --help -c --config -v --verbose' ;;
+    simulate) options='-h --help -o --out --flac' ;;
+    score) options='-h --help --json' ;;
+    check) options='-h --help --keys' ;;
+    *) return ;;
+  esac
+  if [[ $cur == -* || -z $command ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$options" -- "$cur")
+  elif [[ $command != live ]]; then
+    compopt -o filenames
+    mapfile -t COMPREPLY < <(compgen -f -- "$cur")
+  fi
+}
+
+_odaslive() {
+  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]}
+  if [[ $prev == -c ]]; then
+    compopt -o filenames
+    mapfile -t COMPREPLY < <(compgen -f -X '!*.cfg' -- "$cur"; compgen -d -- "$cur")
+  else
+    mapfile -t COMPREPLY < <(compgen -W '-c -s -v -h' -- "$cur")
+  fi
+}
+
+complete -F _odas odas
+complete -F _odaslive odaslive

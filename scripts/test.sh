@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# scripts/test.sh PART...: builds and runs parts of `make test`: asan, tsan, arm64, arm64-if-possible, check.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
+
+step() { printf '\n== %s (%d s since the start)\n' "$*" "$SECONDS"; }
+
+run_ctest() { ctest --test-dir "$1" --output-on-failure --no-tests=error -j "$jobs" "${@:2}" | quiet; }
+
+# Hundreds of passed tests say nothing; the others and the counts do.
+quiet() { grep -vE "^ *[0-9]+/[0-9]+ Test .* Passed |^ *Start +[0-9]+: |^Internal ctest|^Test project" || true; }
+
+asan() {
+  step "clang 14 builds everything; ASan and UBSan watch all tests"
+  cmake --preset asan-ubsan >/dev/null
+  cmake --build build-asan-ubsan
+  run_ctest build-asan-ubsan -LE tree
+}
+
+tsan() {
+  step "TSan watches base, engine and io"
+  cmake --preset tsan -DODAS_BUILD_BENCHES=OFF >/dev/null
+  cmake --build build-tsan --target base_test engine_test io_test
+  for room in base engine io; do
+    build-tsan/bin/${room}_test --gtest_brief=1
+  done
+}
+
+arm64() {
+  step "odas_core for arm64; its tests run under qemu"
+  scripts/install_packages.sh arm64
+  cmake --preset arm64 >/dev/null
+  cmake --build build-arm64
+  run_ctest build-arm64
+}
+
+# Without a network, or on another system, the packages of the other architecture may be out of reach.
+arm64-if-possible() {
+  if scripts/install_packages.sh arm64 && command -v aarch64-linux-gnu-g++ >/dev/null; then
+    arm64
+  else
+    step "SKIPPED: arm64, since its packages cannot be installed here"
+  fi
+}
+
+check() {
+  step "release build with g++; all tests, and the checks of the tree"
+  cmake --preset release -DODAS_BUILD_TESTS=ON >/dev/null
+  cmake --build build
+  run_ctest build
+}
+
+for part in "$@"; do "$part"; done
