@@ -17,11 +17,10 @@ export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
 all: configure  ## build the programs and libraries: build/bin/odas, build/bin/odaslive
 	cmake --build build --target programs
 
-configure: build/CMakeCache.txt
-
-build/CMakeCache.txt:
-	@scripts/install_packages.sh --check build
-	cmake --preset release -DODAS_BUILD_TESTS=OFF -DODAS_BUILD_BENCHES=OFF
+# A first configuration that failed leaves a cache behind, but nothing to build with: then it is done again.
+configure:
+	@[[ -e build/build.ninja || -e build/Makefile ]] || { scripts/install_packages.sh --check build && \
+	  cmake --preset release -DODAS_BUILD_TESTS=OFF -DODAS_BUILD_BENCHES=OFF; }
 
 demo:  ## hear the sample recording: who was where, a report, and the voices, in out/demo
 	@scripts/install_packages.sh build

@@ -2,6 +2,7 @@
 #include "progress.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -17,7 +18,7 @@ std::string progress_line(double share, double seconds_left) {
   const int done = static_cast<int>(whole * kWidth);
   std::string bar(static_cast<std::size_t>(done), '=');
   if (done < kWidth) bar += '>';
-  const auto left = static_cast<long>(seconds_left + 0.5);
+  const long left = std::lround(seconds_left);
   return fmt::format("[{:<30}] {:3.0f} %  {}:{:02} left", bar, 100 * whole, left / 60, left % 60);
 }
 

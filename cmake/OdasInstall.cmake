@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# make install: libraries with headers as the CMake package odas (odas::core, odas::odas), programs, array files,
-# man pages and completions.
+# make install: libraries with headers as the CMake package odas (odas::core, odas::odas) and for pkg-config
+# (odas_core, odas), programs, array files, man pages and completions.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/odas)
 
@@ -18,6 +18,19 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/odasConfigVersion.c
   COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/odasConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/odasConfigVersion.cmake
   DESTINATION ${package_dir})
+
+# The libraries are archives, so what they need is linked with them: Requires, not Requires.private.
+function(odas_install_pc library)
+  cmake_parse_arguments(ODAS_PC "" "WHAT;REQUIRES;LIBS" "" ${ARGN})
+  set(folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  file(RELATIVE_PATH ODAS_PC_TO_PREFIX /${folder} /)
+  configure_file(cmake/odas.pc.in ${CMAKE_CURRENT_BINARY_DIR}/${library}.pc @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${library}.pc DESTINATION ${folder})
+endfunction()
+odas_install_pc(odas_core WHAT "the algorithms, without input and output" REQUIRES "fftw3f libhwy")
+if(NOT ODAS_CORE_ONLY)
+  odas_install_pc(odas WHAT "all of it" REQUIRES "odas_core libconfig++ sndfile samplerate fmt" LIBS -pthread)
+endif()
 
 # Headers that name the libraries of the inside stay inside.
 foreach(room IN LISTS ODAS_ROOMS)

@@ -11,7 +11,7 @@ test=(ninja-build libgtest-dev librapidcheck-dev libbenchmark-dev
       clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-19)
 bench=(libbenchmark-dev valgrind)
 arm64=(g++-aarch64-linux-gnu qemu-user-static libc6:arm64 libstdc++6:arm64 libfftw3-dev:arm64
-       libsamplerate0-dev:arm64 libhwy-dev:arm64 libgtest-dev:arm64 librapidcheck-dev:arm64)
+       libhwy-dev:arm64 libgtest-dev:arm64 librapidcheck-dev:arm64)
 
 say() { echo "packages: $*" >&2; }
 

@@ -20,13 +20,14 @@ using test::ProgramOptions;
 using test::ProgramRun;
 
 constexpr int kRate = 16000;
+constexpr std::size_t kSecond = 16000;  // frames
 constexpr std::size_t kHop = 128;
 constexpr std::size_t kSlots = 4;
 
 /// Noise from 40 degrees at the four microphones of configs/sample.cfg, from the first to the last quarter,
 /// over a little noise of each microphone's own. Made at 32 times the rate, so that a delay is a shift.
 std::vector<float> plane_wave(std::size_t frames) {
-  constexpr int kUp = 32;
+  constexpr std::size_t kUp = 32;
   constexpr double kAzimuth = 40 * 3.14159265 / 180;
   constexpr std::array<std::array<double, 2>, 4> kMics{{{-0.032, 0}, {0, -0.032}, {0.032, 0}, {0, 0.032}}};
   std::mt19937 generator(1);
@@ -36,7 +37,7 @@ std::vector<float> plane_wave(std::size_t frames) {
   std::vector<float> samples(frames * 4);
   for (std::size_t m = 0; m < 4; ++m) {
     const double delay = -(kMics[m][0] * std::cos(kAzimuth) + kMics[m][1] * std::sin(kAzimuth)) / 343;
-    const auto shift = static_cast<std::size_t>(4 * kUp - std::lround(delay * kRate * kUp));
+    const auto shift = static_cast<std::size_t>(std::lround((4 - delay * kRate) * kUp));
     for (std::size_t n = 0; n < frames; ++n) {
       float sum = 0;  // over a sample and a half: keeps to what the recording's rate can carry
       for (std::size_t k = 0; k < 48; ++k) sum += fine[n * kUp + shift + k];
@@ -105,7 +106,7 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 TEST_F(Run, says_who_was_where_and_writes_it_all_down) {
-  const ProgramRun result = run(record("talk.wav", 4 * kRate));
+  const ProgramRun result = run(record("talk.wav", 4 * kSecond));
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(contains(result.err, (out() / "report.html").string())) << result.err;
   EXPECT_FALSE(contains(result.err, "\r")) << "no progress where there is no terminal";
@@ -128,12 +129,12 @@ TEST_F(Run, says_who_was_where_and_writes_it_all_down) {
 }
 
 TEST_F(Run, hears_the_same_from_wav_flac_and_headerless) {
-  ASSERT_EQ(run(record("talk.wav", 2 * kRate)).exit_code, 0);
+  ASSERT_EQ(run(record("talk.wav", 2 * kSecond)).exit_code, 0);
   const std::string voice =
       "voices/" + nlohmann::json::parse(text("voices/index.json"))[0]["file"].get<std::string>();
   const std::string from_wav = text(voice);
   for (const char* name : {"talk.flac", "talk.raw"}) {
-    const ProgramRun result = run(record(name, 2 * kRate));
+    const ProgramRun result = run(record(name, 2 * kSecond));
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_TRUE(text(voice) == from_wav) << name;
   }
@@ -156,7 +157,7 @@ TEST_F(Run, replaces_the_files_of_an_earlier_run_and_no_others) {
   std::ofstream(out() / "voices/source_99.wav") << "old";
   std::ofstream(out() / "voices/keep.txt") << "mine";
   std::ofstream(out() / "tracks.jsonl") << "not json\n";
-  ASSERT_EQ(run(record("talk.wav", kRate)).exit_code, 0);
+  ASSERT_EQ(run(record("talk.wav", kSecond)).exit_code, 0);
   EXPECT_FALSE(fs::exists(out() / "voices/source_99.wav"));
   EXPECT_TRUE(fs::exists(out() / "voices/keep.txt"));
   EXPECT_FALSE(contains(text("tracks.jsonl"), "not json"));
@@ -165,7 +166,7 @@ TEST_F(Run, replaces_the_files_of_an_earlier_run_and_no_others) {
 TEST_F(Run, shows_its_progress_on_a_terminal) {
   ProgramOptions terminal;
   terminal.terminal = true;
-  const ProgramRun result = run(record("talk.wav", 2 * kRate), {}, terminal);
+  const ProgramRun result = run(record("talk.wav", 2 * kSecond), {}, terminal);
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_TRUE(contains(result.err, " left")) << result.err;
 }
@@ -191,7 +192,7 @@ TEST_F(Run, finishes_its_files_on_ctrl_c) {
 TEST_F(Run, ends_with_what_it_could_write_when_the_disk_is_full) {
   ProgramOptions options;
   options.largest_file = 100'000;
-  const ProgramRun result = run(record("talk.wav", 8 * kRate), {}, options);
+  const ProgramRun result = run(record("talk.wav", 8 * kSecond), {}, options);
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_TRUE(contains(result.err, "cannot write") || contains(result.err, "full")) << result.err;
   // Whole: the header tells the true length, and no line is cut.
@@ -209,11 +210,11 @@ struct BadInput {
 };
 
 TEST_F(Run, says_what_is_wrong_with_a_recording) {
-  std::ofstream(folder_ / "empty.wav");
-  std::ofstream(folder_ / "empty.raw");
+  std::ofstream(folder_ / "empty.wav") << "";
+  std::ofstream(folder_ / "empty.raw") << "";
   std::ofstream(folder_ / "text.wav") << "this is not a sound";
-  record("fast.wav", kRate, 44100);
-  record("stereo.wav", kRate, kRate, 2);
+  record("fast.wav", kSecond, 44100);
+  record("stereo.wav", kSecond, kRate, 2);
   const std::vector<BadInput> inputs{
       {"missing.wav", {"missing.wav"}}, {"empty.wav", {"empty.wav"}}, {"empty.raw", {"empty.raw"}},
       {"fast.wav", {"44100", "16000"}}, {"stereo.wav", {"2", "4"}},
@@ -229,7 +230,7 @@ TEST_F(Run, says_what_is_wrong_with_a_recording) {
 }
 
 TEST_F(Run, processes_what_is_there_of_a_truncated_recording) {
-  const fs::path whole = record("cut.wav", 2 * kRate);
+  const fs::path whole = record("cut.wav", 2 * kSecond);
   fs::resize_file(whole, fs::file_size(whole) / 2);
   const ProgramRun result = run(whole);
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -238,7 +239,7 @@ TEST_F(Run, processes_what_is_there_of_a_truncated_recording) {
 }
 
 TEST_F(Run, refuses_a_folder_that_it_cannot_use) {
-  const fs::path recording = record("talk.wav", kRate);
+  const fs::path recording = record("talk.wav", kSecond);
   std::ofstream(out()) << "a file";
   const ProgramRun on_file = run(recording);
   EXPECT_EQ(on_file.exit_code, 1);
@@ -254,7 +255,7 @@ TEST_F(Run, refuses_a_folder_that_it_cannot_use) {
 
 TEST_F(Run, does_not_overwrite_its_own_recording) {
   fs::create_directories(out());
-  fs::rename(record("talk.wav", kRate), out() / "microphone_1.wav");
+  fs::rename(record("talk.wav", kSecond), out() / "microphone_1.wav");
   const auto size = fs::file_size(out() / "microphone_1.wav");
   const ProgramRun result = run(out() / "microphone_1.wav");
   EXPECT_EQ(result.exit_code, 1);
@@ -263,12 +264,12 @@ TEST_F(Run, does_not_overwrite_its_own_recording) {
 }
 
 TEST_F(Run, warns_of_a_dead_microphone_on_screen_and_in_the_report) {
-  std::vector<float> samples = plane_wave(2 * kRate);
+  std::vector<float> samples = plane_wave(2 * kSecond);
   for (std::size_t i = 2; i < samples.size(); i += 4) samples[i] = 0;
   const fs::path file = folder_ / "dead.wav";
   {
     SndfileHandle sound(file.string(), SFM_WRITE, SF_FORMAT_WAV | SF_FORMAT_PCM_16, 4, kRate);
-    sound.writef(samples.data(), 2 * kRate);
+    sound.writef(samples.data(), static_cast<sf_count_t>(2 * kSecond));
   }
   const ProgramRun result = run(file);
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -277,7 +278,7 @@ TEST_F(Run, warns_of_a_dead_microphone_on_screen_and_in_the_report) {
 }
 
 TEST_F(Run, ends_with_2_on_wrong_usage_and_wrong_configuration) {
-  const fs::path recording = record("talk.wav", kRate);
+  const fs::path recording = record("talk.wav", kSecond);
   EXPECT_EQ(test::run_program({test::program_path("odas"), "run", recording.string()}).exit_code, 2);
   std::ofstream(config(), std::ios::app) << "ssl: { nPots = -3; };\n";
   const ProgramRun result = run(recording);

@@ -182,6 +182,17 @@ TEST(SourceFiles, are_short) {
   }
 }
 
+TEST(Documents, link_to_what_is_there) {
+  const std::regex link(R"(\]\(([^)#:]+)(?:#[^)]*)?\))");
+  for (const auto& [path, text] : tree()) {
+    if (!path.ends_with(".md")) continue;
+    for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match) {
+      const fs::path target = (fs::path(ODAS_SOURCE_DIR) / path).parent_path() / std::string((*match)[1]);
+      EXPECT_TRUE(fs::exists(target)) << path << " links to " << (*match)[1];
+    }
+  }
+}
+
 TEST(Files, name_no_place_of_one_machine_and_leave_nothing_to_do) {
   const std::regex place(R"((^|[\s"'(=])/(work|root|home/\w+)/)");
   const std::regex promise(

@@ -36,6 +36,7 @@ Channel make_terminal() {
 [[noreturn]] void become(const std::vector<std::string>& command, const ProgramOptions& options, int out,
                          int err) {
   const int null = open("/dev/null", O_RDONLY);
+  if (null < 0 || out < 0 || err < 0) _exit(126);
   dup2(null, STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
   dup2(err, STDERR_FILENO);

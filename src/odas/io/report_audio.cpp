@@ -38,7 +38,7 @@ Waveform waveform_of(const std::filesystem::path& file, std::size_t columns) {
 void write_base64(std::ostream& out, const std::filesystem::path& file) {
   static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::ifstream in(file, std::ios::binary);
-  std::array<char, 3 * 4096> block{};
+  std::array<char, std::size_t{3} * 4096> block{};
   std::string text;
   // All blocks but the last are whole multiples of three bytes, so only the end is padded.
   while (in.read(block.data(), block.size()), in.gcount() > 0) {

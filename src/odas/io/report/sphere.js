@@ -128,9 +128,15 @@ function makeTurnable(canvas, redraw) {
     view.tilt = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, view.tilt + up));
     redraw();
   };
-  canvas.addEventListener("pointerdown", (e) => canvas.setPointerCapture(e.pointerId));
+  let last = null;
+  canvas.addEventListener("pointerdown", (e) => {
+    canvas.setPointerCapture(e.pointerId);
+    last = e;
+  });
   canvas.addEventListener("pointermove", (e) => {
-    if (canvas.hasPointerCapture(e.pointerId)) turn(-e.movementX * 0.01, e.movementY * 0.01);
+    if (!canvas.hasPointerCapture(e.pointerId)) return;
+    turn((last.clientX - e.clientX) * 0.01, (e.clientY - last.clientY) * 0.01);
+    last = e;
   });
   canvas.addEventListener("keydown", (e) => {
     const step = { ArrowLeft: [0.15, 0], ArrowRight: [-0.15, 0], ArrowUp: [0, -0.15], ArrowDown: [0, 0.15] }[e.key];
