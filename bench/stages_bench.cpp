@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Time per hop of each stage, and of the whole, for arrays of 4, 7, 8 and 16 microphones (rings of 5 cm
 // radius, half sphere, hops of 8 ms, frames of 16 ms, 4 potentials, 4 live tracks, ODAS's defaults).
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include <benchmark/benchmark.h>
@@ -82,15 +84,22 @@ void localization(benchmark::State& state) {
   for (auto _ : state) stage->locate(spectra, {}, potentials);
 }
 
-void tracking(benchmark::State& state) {
-  const auto stage = make_tracker({}, {kHopSeconds, 0.5, 4});
-  std::vector<Track> tracks(kSlots);
-  std::int64_t hop = 0;
-  for (auto _ : state) {
-    std::vector<Potential> potentials;
-    for (const Track& t : live_tracks(++hop)) potentials.push_back({t.direction, 0.45F});
-    stage->update(potentials, tracks);
+/// As many potentials and live tracks as the argument says.
+void tracking(benchmark::State& state, const char* mode) {
+  SstConfig config;
+  config.mode = mode;
+  config.n_tracks = static_cast<int>(state.range(0));
+  config.sigma_r2_prob = config.sigma_r2_active = state.range(0) > 4 ? 0.001F : 0.0225F;
+  const auto stage = make_tracker(config, {kHopSeconds, 0.5, config.slots()});
+  std::vector<Track> tracks(config.slots());
+  std::vector<Potential> potentials;
+  for (std::size_t s = 0; s < config.slots(); ++s) {  // Fibonacci's sphere
+    const float z = 1 - (2 * static_cast<float>(s) + 1) / static_cast<float>(config.slots());
+    potentials.push_back({direction_of(137.50776F * static_cast<float>(s), degrees(std::asin(z))), 0.45F});
   }
+  for (auto _ : state) stage->update(potentials, tracks);
+  state.counters["live"] = static_cast<double>(
+      std::count_if(tracks.begin(), tracks.end(), [](const Track& t) { return t.id != 0; }));
 }
 
 void separation(benchmark::State& state, const char* mode) {
@@ -157,7 +166,18 @@ void arrays(benchmark::internal::Benchmark* b) {
 BENCHMARK(stft)->Apply(arrays);
 BENCHMARK(noise_estimate)->Apply(arrays);
 BENCHMARK(localization)->Apply(arrays);
-BENCHMARK(tracking)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(tracking, kalman, "kalman")
+    ->ArgName("sources")
+    ->Arg(4)
+    ->Arg(16)
+    ->Arg(64)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(tracking, particle, "particle")
+    ->ArgName("sources")
+    ->Arg(4)
+    ->Arg(16)
+    ->Arg(64)
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(separation, dds, "dds")->Apply(arrays);
 BENCHMARK_CAPTURE(separation, dgss, "dgss")->Apply(arrays);
 BENCHMARK_CAPTURE(post_filter, ms, "ms")->Apply(arrays);

@@ -108,8 +108,9 @@ void check_targets(const SstConfig& sst, CheckReport& report) {
   }
   if (report.sound("sst.N_inactive") && sst.target.size() > sst.slots()) {
     report.warning("sst.target", "has " + std::to_string(sst.target.size()) + " targets for the " +
-                                     std::to_string(sst.slots()) +
-                                     " tracks of sst.N_inactive: the last ones are not followed");
+                                     std::to_string(sst.slots()) + " tracks of " +
+                                     (sst.n_tracks > 0 ? "sst.nTracks" : "sst.N_inactive") +
+                                     ": the last ones are not followed");
   }
   if (sst.add == "static" && sst.target.empty() && report.sound("sst")) {
     report.warning("sst.add", "is \"static\", and sst.target is empty: nothing will be followed");
@@ -119,9 +120,10 @@ void check_targets(const SstConfig& sst, CheckReport& report) {
 void check_sst(const SstConfig& sst, CheckReport& report) {
   check_mixture("sst.active", sst.active, report);
   check_mixture("sst.inactive", sst.inactive, report);
-  if (report.sound("sst.N_inactive") && (sst.n_inactive.empty() || sst.slots() > kMaxSlots)) {
+  const std::size_t patiences = sst.n_inactive.size();
+  if (report.sound("sst.N_inactive") && (patiences == 0 || patiences > kMaxSlots)) {
     report.error("sst.N_inactive",
-                 "has " + std::to_string(sst.slots()) + " numbers, must have one for each track: 1 to 64");
+                 "has " + std::to_string(patiences) + " numbers, must have one for each track: 1 to 64");
   }
   if (report.sound("sst.Pfalse") && report.sound("sst.Pnew") && report.sound("sst.Ptrack") &&
       !(sst.p_false + sst.p_new + sst.p_track > 0)) {

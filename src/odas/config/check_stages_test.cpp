@@ -45,6 +45,11 @@ TEST(CheckStages, want_one_to_sixty_four_tracks) {
   std::string many = "1";
   for (int i = 1; i < 65; ++i) many += ", 1";
   EXPECT_TRUE(errs(read_with("sst: { N_inactive = (" + many + "); };"), "sst.N_inactive", "has 65 numbers"));
+  EXPECT_TRUE(errs(read_with("sst: { nTracks = 65; };"), "sst.nTracks", "must be 0 to 64"));
+  EXPECT_TRUE(errs(read_with("sst: { nTracks = 2; N_inactive = (); };"), "sst.N_inactive", "has 0 numbers"));
+  const LoadedConfiguration both = read_with("sst: { nTracks = 6; N_inactive = (100, 50); };");
+  EXPECT_TRUE(clean(both));
+  EXPECT_EQ(both.config.pipeline.sst.slots(), 6U);
 }
 
 LoadedConfiguration with_targets(const std::string& targets) {

@@ -119,6 +119,13 @@ HopResult Pipeline::process_hop(GridView<const float> mics) noexcept {
   return {p.time, p.potentials, p.tracks, p.separated, p.postfiltered};
 }
 
+void Pipeline::set_targets(std::span<const Target> targets) noexcept {
+  if (parts_->tracker) parts_->tracker->set_targets(targets);
+}
+std::size_t Pipeline::unfollowed_targets() const noexcept {
+  return parts_->tracker ? parts_->tracker->unfollowed_targets() : 0;
+}
+
 void Pipeline::reset() noexcept {
   Parts& p = *parts_;
   p.time = 0;

@@ -6,6 +6,7 @@
 
 #include "odas/array/types.hpp"
 #include "odas/pipeline/config.hpp"
+#include "odas/tracking/target.hpp"
 
 namespace odas {
 
@@ -32,6 +33,12 @@ class Pipeline {
 
   /// Allocates nothing, locks nothing, waits for nobody.
   HopResult process_hop(GridView<const float> mics) noexcept;
+
+  /// From the next hop on, the fixed directions are these, in place of those of `sst.target` or of an earlier
+  /// call (`Tracker::set_targets`). Between hops only, on the thread that calls `process_hop`.
+  void set_targets(std::span<const Target> targets) noexcept;
+  /// Targets that are not followed as of the last hop, for want of a slot or for a fault of theirs.
+  [[nodiscard]] std::size_t unfollowed_targets() const noexcept;
 
   /// The state after construction, exactly.
   void reset() noexcept;

@@ -161,9 +161,7 @@ TEST_P(PipelineMethods, Contains_samples_that_are_no_numbers) {
       for (const float x : result.postfiltered[s]) ASSERT_TRUE(std::isfinite(x));
     }
     const bool stands_out = config.ssl.weighting == "none";  // a steady source is noise to the weights
-    if (h > 20 && stands_out) {
-      ASSERT_NE(result.tracks[0].id, 0U);
-    }
+    if (h > 20 && stands_out) { ASSERT_NE(result.tracks[0].id, 0U); }
   }
   EXPECT_EQ(pipeline.non_finite_samples(), 3U);
 }
@@ -204,6 +202,26 @@ TEST(Pipeline, Gives_silence_for_a_target_that_no_microphone_hears) {
     EXPECT_EQ(result.tracks[0].tag.view(), "below");
     EXPECT_EQ(power(result.separated[0]), 0);
   }
+}
+
+TEST(Pipeline, Follows_the_targets_that_it_is_given_between_hops) {
+  PipelineConfig config = tetrahedron_config();
+  config.sst.add = "static";
+  Pipeline pipeline(config);
+  FarSource source(config.general, direction_of(30, 40), 30);
+  EXPECT_EQ(pipeline.process_hop(source.hop(0)).tracks[0].id, 0U);
+  std::vector<Target> targets{{"here", direction_of(30, 40)}};
+  for (int i = 0; i < 4; ++i) targets.push_back({std::string_view(std::to_string(i)), {0, 0, -1}});
+  pipeline.set_targets(targets);
+  for (std::size_t h = 1; h < 29; ++h) pipeline.process_hop(source.hop(h));
+  const HopResult result = pipeline.process_hop(source.hop(29));
+  EXPECT_EQ(result.tracks[0].tag.view(), "here");
+  EXPECT_GT(result.tracks[0].activity, 0.9F);
+  EXPECT_GT(power(result.separated[0]), 0);
+  EXPECT_EQ(pipeline.unfollowed_targets(), 1U) << "five for four slots";
+  pipeline.reset();
+  EXPECT_EQ(pipeline.process_hop(source.hop(0)).tracks[0].id, 0U);
+  EXPECT_EQ(pipeline.unfollowed_targets(), 0U);
 }
 
 TEST(Pipeline, Says_its_plan) {

@@ -60,23 +60,37 @@ void Association::set_dead(std::size_t slot) noexcept {
 }
 
 void Association::solve(std::span<const Potential> potentials) noexcept {
+  ODAS_EXPECT(potentials.size() <= new_.size());
+  count_ = potentials.size();
   std::fill(activity_.begin(), activity_.end(), 1.0);  // for now: that no potential came from the track
   for (std::size_t s = 0; s < potentials.size(); ++s) {
-    const auto energy = static_cast<double>(potentials[s].energy);
+    const Potential& potential = potentials[s];
+    const auto energy = static_cast<double>(potential.energy);
     log_active_[s] = log_density(active_, energy);
     const double log_new = log_active_[s] + log_new_;
-    double total = log_add(log_density(inactive_, energy) + log_false_, log_new);
+    const double log_false = log_density(inactive_, energy) + log_false_;
+    double high = std::max(log_false, log_new);
     for (std::size_t t = 0; t < log_tracks_.rows(); ++t) {
-      total = log_add(total, log_active_[s] + log_tracks_[t][s] + log_track_);
+      high = std::max(high, log_active_[s] + log_tracks_[t][s] + log_track_);
     }
-    // A potential that no hypothesis explains at all (E far off every mixture) counts as a false alarm.
-    const bool explained = std::isfinite(total);
-    log_total_[s] = total;
-    new_[s] = explained ? std::exp(log_new - total) : 0;
+    // A potential that no hypothesis explains at all (E far off every mixture) counts as a false alarm, and
+    // so does one that is not finite.
+    if (!std::isfinite(high) || !std::isfinite(energy) || !std::isfinite(norm(potential.direction))) {
+      log_total_[s] = log_active_[s] = kImpossible;
+      new_[s] = 0;
+      for (std::size_t t = 0; t < log_tracks_.rows(); ++t) from_track_[t][s] = 0;
+      continue;
+    }
+    double total = std::exp(log_false - high) + std::exp(log_new - high);
     for (std::size_t t = 0; t < log_tracks_.rows(); ++t) {
-      const double p = explained ? std::exp(log_active_[s] + log_tracks_[t][s] + log_track_ - total) : 0;
-      from_track_[t][s] = p;
-      activity_[t] *= 1 - p;
+      from_track_[t][s] = std::exp(log_active_[s] + log_tracks_[t][s] + log_track_ - high);
+      total += from_track_[t][s];
+    }
+    log_total_[s] = high + std::log(total);
+    new_[s] = std::exp(log_new - high) / total;
+    for (std::size_t t = 0; t < log_tracks_.rows(); ++t) {
+      from_track_[t][s] /= total;
+      activity_[t] *= 1 - from_track_[t][s];
     }
   }
   for (double& a : activity_) a = 1 - a;

@@ -19,6 +19,7 @@ namespace odas {
 /// ODAS enumerates all assignments of all potentials; as two potentials may go to one track, the sum over
 /// them is a product, and each potential's own posterior is exact: (n + 2) terms instead of (n + 2)^s.
 /// Computed from logarithms: a loud clean source cannot underflow every hypothesis, as it does in ODAS.
+/// Cost per hop: slots x potentials exponentials, in `solve`.
 /// Source: Grondin and Michaud, 2019, section 4.3; ODAS paper, 2022, eqs. 19-24.
 class Association {
  public:
@@ -35,7 +36,7 @@ class Association {
 
   /// [potential]: probability that it came from the track.
   [[nodiscard]] std::span<const double> from_track(std::size_t slot) const noexcept {
-    return from_track_[slot];
+    return from_track_[slot].first(count_);
   }
   /// Probability that any potential came from the track.
   [[nodiscard]] double activity(std::size_t slot) const noexcept { return activity_[slot]; }
@@ -51,6 +52,7 @@ class Association {
   static std::vector<Gaussian> mixture(const std::vector<GaussianConfig>& config);
   static double log_density(const std::vector<Gaussian>& mixture, double energy) noexcept;
 
+  std::size_t count_ = 0;  // potentials of this hop
   std::vector<Gaussian> active_, inactive_;
   double log_false_, log_new_, log_track_;      // priors, those of false and new with the diffuse density
   Grid<double> log_tracks_;                     // [slot][potential]

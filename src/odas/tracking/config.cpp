@@ -70,11 +70,16 @@ Schema SstConfig::schema() {
       field<&SstConfig::theta_new>("theta_new", "", kUnit, "probability over which a track is created"),
       field<&SstConfig::n_prob>("N_prob", "hops", {1, 1000000}, "length of the probation"),
       field<&SstConfig::theta_prob>("theta_prob", "", kUnit, "mean activity that ends the probation well"),
-      field<&SstConfig::n_inactive>(
-          "N_inactive", "hops", {1, 1000000000},
-          "patience when 1, 2, ... tracks live; its length is the number of tracks"),
+      field<&SstConfig::n_tracks>("nTracks", "", {0, 64},
+                                  "tracks at a time; 0: as many as N_inactive has numbers"),
+      field<&SstConfig::n_inactive>("N_inactive", "hops", {1, 1000000000},
+                                    "patience when 1, 2, ... tracks live; the last number holds for more; "
+                                    "its length is the number of tracks, if nTracks does not say it"),
       field<&SstConfig::theta_inactive>("theta_inactive", "", kUnit,
                                         "activity below which a track counts as silent"),
+      field<&SstConfig::memory>("memory", "s", kNotNegative,
+                                "time within which a source that comes back, at most 15 degrees from where "
+                                "its track ended, keeps its id; 0: none does"),
       field<&SstConfig::kalman>("kalman", "", kAny, "the Kalman filter"),
       field<&SstConfig::particle>("particle", "", kAny, "the particle filter"),
       field<&SstConfig::target>("target", "", kAny, "directions that are always followed"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -52,13 +53,21 @@ struct SstConfig {
   float theta_new = 0.9F;
   int n_prob = 5;
   float theta_prob = 0.8F;
+  int n_tracks = 0;
   std::vector<int> n_inactive{150, 200, 250, 250};
   float theta_inactive = 0.9F;
+  float memory = 0;
   KalmanConfig kalman;
   ParticleConfig particle;
   std::vector<TargetConfig> target;
 
-  [[nodiscard]] std::size_t slots() const noexcept { return n_inactive.size(); }
+  [[nodiscard]] std::size_t slots() const noexcept {
+    return n_tracks > 0 ? static_cast<std::size_t>(n_tracks) : n_inactive.size();
+  }
+  /// Silent hops that an active track survives when so many tracks live; the last number holds for more.
+  [[nodiscard]] int patience(std::size_t living) const noexcept {
+    return n_inactive[std::min(living, n_inactive.size()) - 1];
+  }
   static Schema schema();
 };
 

@@ -44,6 +44,7 @@ double Kalman::log_likelihood(Vec3 z, double sigma2) const noexcept {
 
 void Kalman::update(std::span<const Potential> potentials, std::span<const double> probability,
                     double activity, double sigma2) noexcept {
+  if (!(activity > 0)) return;
   const auto best = static_cast<std::size_t>(std::max_element(probability.begin(), probability.end()) -
                                              probability.begin());
   const Vec3 z = potentials[best].direction;

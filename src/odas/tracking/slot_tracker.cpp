@@ -2,26 +2,51 @@
 #include "odas/tracking/slot_tracker.hpp"
 
 #include <algorithm>
-#include <string>
+#include <cmath>
+#include <vector>
 
 #include "odas/base/contract.hpp"
 #include "odas/tracking/kalman.hpp"
+#include "odas/tracking/particle.hpp"
 
 namespace odas {
+namespace {
+
+std::uint64_t hops_in(double seconds, double hop_seconds) {
+  constexpr double kForEver = 1e18;
+  return hop_seconds > 0 ? static_cast<std::uint64_t>(std::min(std::ceil(seconds / hop_seconds), kForEver))
+                         : 0;
+}
+
+}  // namespace
 
 template <class Filter>
 SlotTracker<Filter>::SlotTracker(const SstConfig& config, const TrackerContext& context,
                                  const Filter& prototype)
     : config_(config),
       dynamic_(config.add == "dynamic"),
-      prototype_(prototype),
       association_(config, config.slots(), context.potentials, context.heard_share),
-      slots_(config.slots(), Slot{.filter = prototype}) {}
+      slots_(config.slots(), Slot{{}, prototype}),
+      departed_(hops_in(static_cast<double>(config.memory), context.hop_seconds)) {
+  std::vector<Target> targets;
+  for (const TargetConfig& t : config.target) targets.push_back({std::string_view(t.tag), {t.x, t.y, t.z}});
+  first_refused_ = refused_ = first_targets_.assign(targets);
+  targets_ = first_targets_;
+}
+
+template <class Filter>
+void SlotTracker<Filter>::set_targets(std::span<const Target> targets) noexcept {
+  refused_ = targets_.assign(targets);
+}
 
 template <class Filter>
 void SlotTracker<Filter>::reset() noexcept {
-  for (Slot& slot : slots_) slot = Slot{.filter = prototype_};
+  for (Slot& slot : slots_) clear(slot);
   last_id_ = 0;
+  departed_.reset();
+  targets_ = first_targets_;
+  refused_ = first_refused_;
+  waiting_ = 0;
 }
 
 template <class Filter>
@@ -32,6 +57,8 @@ void SlotTracker<Filter>::update(std::span<const Potential> potentials, std::spa
       std::count_if(slots_.begin(), slots_.end(), [](const Slot& s) { return s.stage != Stage::free; }));
   associate(potentials);
   follow(potentials);
+  departed_.age();
+  name_promoted();
   if (dynamic_) {
     open_new(potentials);
     remove_lost(living);
@@ -46,14 +73,21 @@ void SlotTracker<Filter>::update(std::span<const Potential> potentials, std::spa
 
 template <class Filter>
 void SlotTracker<Filter>::follow_targets() noexcept {
-  for (const TargetConfig& target : config_.target) {
-    const ShortString<63> tag(target.tag);
-    const auto has_tag = [&](const Slot& s) { return s.stage == Stage::target && s.tag == tag; };
-    if (std::any_of(slots_.begin(), slots_.end(), has_tag)) continue;
-    const auto is_free = [](const Slot& s) { return s.stage == Stage::free; };
-    const auto slot = std::find_if(slots_.begin(), slots_.end(), is_free);
-    if (slot == slots_.end()) return;
-    start(*slot, Stage::target, tag, normalized({target.x, target.y, target.z}));
+  for (Slot& slot : slots_) {
+    if (slot.stage == Stage::target && targets_.find(slot.tag) == nullptr) clear(slot);
+  }
+  waiting_ = 0;
+  for (const Target& target : targets_.view()) {
+    const auto has_tag = [&](const Slot& s) { return s.stage == Stage::target && s.tag == target.tag; };
+    const auto own = std::find_if(slots_.begin(), slots_.end(), has_tag);
+    if (own != slots_.end()) {
+      if (own->filter.direction() != target.direction) own->filter.start(target.direction);
+    } else if (Slot* slot = free_slot()) {
+      start(*slot, Stage::target, target.tag, target.direction);
+      slot->id = ++last_id_;
+    } else {
+      ++waiting_;
+    }
   }
 }
 
@@ -90,7 +124,6 @@ void SlotTracker<Filter>::follow(std::span<const Potential> potentials) noexcept
       const double mean = slot.activity_on_probation / slot.hops_on_probation;
       if (slot.hops_on_probation >= config_.n_prob && mean >= static_cast<double>(config_.theta_prob)) {
         slot.stage = Stage::active;
-        slot.id = ++last_id_;
         slot.silent_hops = 0;
       }
     }
@@ -98,13 +131,37 @@ void SlotTracker<Filter>::follow(std::span<const Potential> potentials) noexcept
 }
 
 template <class Filter>
+void SlotTracker<Filter>::name_promoted() noexcept {
+  const auto has_no_name = [](const Slot& s) { return s.stage == Stage::active && s.id == 0; };
+  // Those that are known go first, the nearest pair of all before any other: two who come back at once
+  // near each other do not take each other's names.
+  for (;;) {
+    Slot* known = nullptr;
+    Departed::Match best{0, -1};
+    for (Slot& slot : slots_) {
+      if (!has_no_name(slot)) continue;
+      const auto match = departed_.nearest(slot.filter.direction());
+      if (!match || match->cosine <= best.cosine) continue;
+      known = &slot;
+      best = *match;
+    }
+    if (known == nullptr) break;
+    known->id = departed_.take(best.place);
+  }
+  for (Slot& slot : slots_) {
+    if (has_no_name(slot)) slot.id = ++last_id_;
+  }
+}
+
+template <class Filter>
 void SlotTracker<Filter>::remove_lost(std::size_t living) noexcept {
   if (living == 0) return;
-  const int patience = config_.n_inactive[living - 1];
+  const int patience = config_.patience(living);
   for (Slot& slot : slots_) {
     const bool failed = slot.stage == Stage::probation && slot.hops_on_probation >= config_.n_prob;
     const bool lost = slot.stage == Stage::active && slot.silent_hops >= patience;
-    if (failed || lost) slot = Slot{.filter = prototype_};
+    if (lost) departed_.add(slot.id, slot.filter.direction());
+    if (failed || lost) clear(slot);
   }
 }
 
@@ -112,9 +169,8 @@ template <class Filter>
 void SlotTracker<Filter>::open_new(std::span<const Potential> potentials) noexcept {
   for (std::size_t s = 0; s < potentials.size(); ++s) {
     if (probability_new(s, potentials) <= static_cast<double>(config_.theta_new)) continue;
-    const auto is_free = [](const Slot& slot) { return slot.stage == Stage::free; };
-    const auto slot = std::find_if(slots_.begin(), slots_.end(), is_free);
-    if (slot == slots_.end()) return;
+    Slot* slot = free_slot();
+    if (slot == nullptr) return;
     start(*slot, Stage::probation, "dynamic", potentials[s].direction);
   }
 }
@@ -140,15 +196,22 @@ double SlotTracker<Filter>::sigma2(Stage stage) const noexcept {
 }
 
 template <class Filter>
+typename SlotTracker<Filter>::Slot* SlotTracker<Filter>::free_slot() noexcept {
+  const auto is_free = [](const Slot& s) { return s.stage == Stage::free; };
+  const auto slot = std::find_if(slots_.begin(), slots_.end(), is_free);
+  return slot == slots_.end() ? nullptr : &*slot;
+}
+
+template <class Filter>
 void SlotTracker<Filter>::start(Slot& slot, Stage stage, const ShortString<63>& tag,
                                 Vec3 direction) noexcept {
-  slot = Slot{.filter = prototype_};
+  clear(slot);
   slot.stage = stage;
-  if (stage == Stage::target) slot.id = ++last_id_;
   slot.tag = tag;
   slot.filter.start(direction);
 }
 
 template class SlotTracker<Kalman>;
+template class SlotTracker<Particle>;
 
 }  // namespace odas

@@ -8,8 +8,6 @@
 #include "support/plane_wave.hpp"
 #include <gtest/gtest.h>
 
-#include "odas/base/error.hpp"
-
 namespace odas {
 namespace {
 
@@ -26,12 +24,13 @@ class SlotTrackerTest : public ::testing::Test {
   }
   /// One hop in which these directions sound.
   void hop(const std::vector<Vec3>& sources, float energy = kClear) {
-    std::vector<Potential> potentials(4);
-    for (std::size_t s = 0; s < 4; ++s) {
-      potentials[s] = s < sources.size() ? Potential{sources[s], energy} : Potential{{0, 0, 1}, kNoise};
-    }
+    std::vector<Potential> potentials(4, Potential{{0, 0, 1}, kNoise});
+    std::transform(sources.begin(), sources.end(), potentials.begin(), [&](Vec3 u) {
+      return Potential{u, energy};
+    });
     tracker->update(potentials, tracks);
   }
+  void set_targets(const std::vector<Target>& targets) { tracker->set_targets(targets); }
   [[nodiscard]] std::vector<Track> living() const {
     std::vector<Track> list;
     for (const Track& t : tracks) {
@@ -191,10 +190,177 @@ TEST_F(SlotTrackerTest, Is_as_new_after_reset_and_allocates_nothing) {
   EXPECT_EQ(test::allocations(), before);
 }
 
-TEST(TrackerRegistry, Refuses_a_name_that_it_does_not_know) {
+TEST_F(SlotTrackerTest, Moves_a_target_at_the_next_hop_and_keeps_its_id_and_slot) {
   SstConfig config;
-  config.mode = "kalmann";
-  EXPECT_THROW(static_cast<void>(make_tracker(config, {0.008, 1, 4})), ConfigError);
+  config.target = {{"door", 1, 0, 0}, {"desk", 0, 1, 0}};
+  make(config);
+  hop({});
+  const std::uint64_t id = tracks[1].id;
+  set_targets({{"door", {1, 0, 0}}, {"desk", {0, 0, 5}}});
+  hop({{0, 0, 1}});
+  EXPECT_EQ(tracks[1].id, id);
+  EXPECT_EQ(tracks[1].tag.view(), "desk");
+  EXPECT_EQ(tracks[1].direction, (Vec3{0, 0, 1}));
+  EXPECT_GT(tracks[1].activity, 0.9F);
+}
+
+TEST_F(SlotTrackerTest, Adds_and_removes_targets_while_running) {
+  make({});
+  set_targets({{"door", {1, 0, 0}}, {"desk", {0, 1, 0}}});
+  EXPECT_TRUE(living().empty()) << "from the next hop on";
+  hop({});
+  ASSERT_EQ(living().size(), 2U);
+  set_targets({{"desk", {0, 1, 0}}});
+  hop({});
+  EXPECT_EQ(tracks[0].id, 0U) << "its slot is free";
+  EXPECT_EQ(tracks[1].id, 2U);
+  set_targets({{"desk", {0, 1, 0}}, {"door", {1, 0, 0}}});
+  hop({});
+  EXPECT_EQ(tracks[0].id, 3U) << "a target that comes again is a new one";
+  set_targets({});
+  hop({});
+  EXPECT_TRUE(living().empty());
+}
+
+TEST_F(SlotTrackerTest, Follows_the_first_targets_when_there_are_more_than_slots_and_counts_the_rest) {
+  SstConfig config;
+  config.n_inactive = {250, 250};
+  config.target = {{"a", 1, 0, 0}, {"b", 0, 1, 0}, {"c", 0, 0, 1}};
+  make(config);
+  hop({});
+  ASSERT_EQ(living().size(), 2U);
+  EXPECT_EQ(tracker->unfollowed_targets(), 1U);
+  set_targets({{"a", {1, 0, 0}}, {"c", {0, 0, 1}}, {"", {0, 0, 1}}});
+  hop({});
+  EXPECT_EQ(tracks[1].tag.view(), "c");
+  EXPECT_EQ(tracker->unfollowed_targets(), 1U) << "the one without a tag";
+  set_targets({{"a", {1, 0, 0}}});
+  hop({});
+  EXPECT_EQ(tracker->unfollowed_targets(), 0U);
+  tracker->reset();
+  hop({});
+  EXPECT_EQ(tracks[1].tag.view(), "b") << "those of the configuration again";
+  EXPECT_EQ(tracker->unfollowed_targets(), 1U);
+}
+
+TEST_F(SlotTrackerTest, Gives_a_target_the_next_slot_that_becomes_free) {
+  SstConfig config;
+  config.n_inactive = {20};
+  make(config);
+  for (int i = 0; i < 10; ++i) hop({direction_of(90, 0)});
+  set_targets({{"door", {1, 0, 0}}});
+  hop({});
+  EXPECT_EQ(tracks[0].tag.view(), "dynamic") << "a talker is not cut off";
+  EXPECT_EQ(tracker->unfollowed_targets(), 1U);
+  for (int i = 0; i < 40; ++i) hop({});
+  EXPECT_EQ(tracks[0].tag.view(), "door");
+  EXPECT_EQ(tracker->unfollowed_targets(), 0U);
+}
+
+TEST_F(SlotTrackerTest, Follows_targets_that_come_in_static_mode) {
+  SstConfig config;
+  config.add = "static";
+  make(config);
+  for (int i = 0; i < 20; ++i) hop({direction_of(90, 0)});
+  EXPECT_TRUE(living().empty());
+  set_targets({{"door", {0, 1, 0}}});
+  hop({direction_of(90, 0)});
+  ASSERT_EQ(living().size(), 1U);
+  EXPECT_GT(tracks[0].activity, 0.9F);
+}
+
+TEST_F(SlotTrackerTest, Has_as_many_slots_as_nTracks_says_and_the_last_patience_holds_for_more) {
+  SstConfig config;
+  config.n_tracks = 3;
+  config.n_inactive = {90, 40};
+  make(config);
+  ASSERT_EQ(tracks.size(), 3U);
+  const std::vector<Vec3> all{direction_of(0, 0), direction_of(120, 0), direction_of(-120, 0)};
+  for (int i = 0; i < 20; ++i) hop(all);
+  ASSERT_EQ(living().size(), 3U);
+  for (int i = 0; i < 39; ++i) hop({});
+  EXPECT_EQ(living().size(), 3U);
+  hop({});
+  EXPECT_EQ(living().size(), 0U) << "40 hops hold for three, too";
+
+  config.n_tracks = 1;
+  config.n_inactive = {90, 40, 40, 40};
+  EXPECT_EQ(config.slots(), 1U) << "nTracks wins";
+  config.n_tracks = 0;
+  EXPECT_EQ(config.slots(), 4U) << "as in ODAS";
+}
+
+class MemoryTest : public SlotTrackerTest {
+ protected:
+  void make_with_memory(float seconds) {
+    SstConfig config;
+    config.n_inactive = {20, 20, 20, 20};
+    config.memory = seconds;
+    make(config);
+  }
+  void hops(int count, const std::vector<Vec3>& sources) {
+    for (int i = 0; i < count; ++i) hop(sources);
+  }
+  [[nodiscard]] std::uint64_t id_near(Vec3 u) const {
+    for (const Track& t : tracks) {
+      if (t.id != 0 && angle_deg(t.direction, u) < 5) return t.id;
+    }
+    return 0;
+  }
+};
+
+TEST_F(MemoryTest, Two_talkers_who_pause_in_turn_keep_their_ids) {
+  make_with_memory(2);
+  const Vec3 a = direction_of(-60, 0);
+  const Vec3 b = direction_of(60, 0);
+  hops(20, {a});
+  hops(20, {b, a});
+  ASSERT_EQ(id_near(a), 1U);
+  ASSERT_EQ(id_near(b), 2U);
+  for (int turn = 0; turn < 3; ++turn) {
+    hops(100, {b});
+    EXPECT_EQ(id_near(a), 0U) << "it has gone";
+    hops(100, {a});
+    EXPECT_EQ(id_near(b), 0U);
+    EXPECT_EQ(id_near(a), 1U);
+    hops(20, {b, a});
+    EXPECT_EQ(id_near(b), 2U);
+    EXPECT_EQ(id_near(a), 1U);
+  }
+}
+
+TEST_F(MemoryTest, One_who_comes_back_too_late_or_elsewhere_is_a_new_one) {
+  make_with_memory(1);  // 125 hops
+  hops(20, {direction_of(0, 0)});
+  hops(60, {});
+  hops(10, {direction_of(20, 0)});
+  EXPECT_EQ(id_near(direction_of(20, 0)), 2U) << "elsewhere";
+  hops(20 + 200, {});
+  hops(10, {direction_of(0, 0)});
+  EXPECT_EQ(id_near(direction_of(0, 0)), 3U) << "too late";
+}
+
+TEST_F(MemoryTest, Two_who_come_back_at_once_near_each_other_do_not_swap) {
+  make_with_memory(2);
+  const Vec3 a = direction_of(0, 0);
+  const Vec3 b = direction_of(25, 0);
+  hops(20, {a, b});
+  ASSERT_EQ(id_near(a), 1U);
+  ASSERT_EQ(id_near(b), 2U);
+  hops(60, {});
+  // Both are within reach of b's place, and the first potential, which gets the first slot, is a's.
+  hops(10, {direction_of(11, 0), direction_of(26, 0)});
+  EXPECT_EQ(id_near(direction_of(26, 0)), 2U) << "the nearest";
+  EXPECT_EQ(id_near(direction_of(11, 0)), 1U);
+}
+
+TEST_F(MemoryTest, Without_it_ids_are_never_used_again) {
+  make_with_memory(0);
+  for (std::uint64_t i = 1; i < 5; ++i) {
+    hops(20, {direction_of(0, 0)});
+    EXPECT_EQ(id_near(direction_of(0, 0)), i);
+    hops(30, {});
+  }
 }
 
 }  // namespace

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "odas/io/target_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace odas {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLongestTag = decltype(Target::tag)::kCapacity;
+
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\0'; }
+
+/// The direction of a target, of length 1: what a double holds may be too much for a float.
+std::optional<Vec3> direction_in(const json& item) {
+  double v[3]{};
+  double longest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    static constexpr const char* kKeys[]{"x", "y", "z"};
+    const auto found = item.find(kKeys[i]);
+    if (found == item.end() || !found->is_number()) return std::nullopt;
+    v[i] = found->get<double>();
+    if (!std::isfinite(v[i])) return std::nullopt;
+    longest = std::max(longest, std::abs(v[i]));
+  }
+  if (!(longest > 0)) return std::nullopt;
+  for (double& c : v) c /= longest;
+  return normalized({static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])});
+}
+
+TargetMessage refused(std::string fault) { return {{}, 0, std::move(fault)}; }
+
+}  // namespace
+
+TargetMessage read_targets(std::string_view text) {
+  const json message = json::parse(text, nullptr, false);
+  if (message.is_discarded()) return refused("is no JSON");
+  if (!message.is_object()) return refused("is no JSON object");
+  const auto list = message.find("targets");
+  if (list == message.end() || !list->is_array()) return refused("has no list \"targets\"");
+  std::vector<Target> targets;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const json& item = (*list)[i];
+    const std::string path = "targets[" + std::to_string(i) + "]";
+    if (!item.is_object()) return refused(path + " is no JSON object");
+    const auto tag = item.find("tag");
+    if (tag == item.end() || !tag->is_string()) return refused(path + ".tag is no text");
+    const auto& name = tag->get_ref<const std::string&>();
+    if (name.empty()) continue;
+    if (name.size() > kLongestTag) return refused(path + ".tag has more than 63 bytes");
+    if (name == "dynamic") return refused(path + ".tag is \"dynamic\", the tag of sources that come and go");
+    const std::optional<Vec3> direction = direction_in(item);
+    if (!direction) return refused(path + " has no direction: x, y and z are numbers, not all 0");
+    for (const Target& other : targets) {
+      if (other.tag.view() == name) return refused(path + ".tag is the tag of another target");
+    }
+    targets.push_back({std::string_view(name), *direction});
+  }
+  TargetMessage good;
+  good.surplus = good.targets.assign(targets);
+  return good;
+}
+
+void TargetReader::push(std::string_view piece) {
+  piece_.erase(0, at_);
+  at_ = 0;
+  piece_ += piece;
+}
+
+void TargetReader::reset() { *this = {}; }
+
+void TargetReader::begin() {
+  message_.clear();
+  depth_ = 0;
+  in_string_ = after_backslash_ = false;
+  last_ = 0;
+}
+
+std::optional<TargetMessage> TargetReader::next() {
+  while (at_ < piece_.size()) {
+    const char byte = piece_[at_];
+    if (depth_ == 0 && byte != '{') {
+      ++at_;
+      if (in_garbage_ || is_space(byte)) continue;
+      in_garbage_ = true;
+      return refused("is no JSON object");
+    }
+    const bool may_open = last_ == 0 || last_ == '[' || last_ == ',' || last_ == ':';
+    if (byte == '{' && !in_string_ && !may_open) {
+      begin();
+      return refused("is cut off");
+    }
+    ++at_;
+    if (ends_with(byte)) {
+      const TargetMessage message = read_targets(message_);
+      begin();
+      return message;
+    }
+    if (message_.size() >= kLongest) {
+      begin();
+      in_garbage_ = true;
+      return refused("has more than 65536 bytes");
+    }
+  }
+  return std::nullopt;
+}
+
+bool TargetReader::ends_with(char byte) {
+  in_garbage_ = false;
+  message_ += byte;
+  if (in_string_) {
+    if (!after_backslash_ && byte == '"') in_string_ = false;
+    after_backslash_ = !after_backslash_ && byte == '\\';
+    return false;
+  }
+  if (is_space(byte)) return false;
+  last_ = byte;
+  in_string_ = byte == '"';
+  if (byte == '{') ++depth_;
+  if (byte == '}') --depth_;
+  return depth_ == 0;
+}
+
+}  // namespace odas

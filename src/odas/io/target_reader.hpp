@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "odas/tracking/target.hpp"
+
+namespace odas {
+
+/// The fixed directions that one message asks for, or why it cannot be taken; then those before it hold.
+struct TargetMessage {
+  TargetList targets;
+  std::size_t surplus = 0;  // targets beyond what a TargetList holds: left out
+  std::string fault;        // "" if the message is good; one line
+
+  [[nodiscard]] bool is_good() const noexcept { return fault.empty(); }
+};
+
+/// Reads one message, the whole of `json`: `{"targets":[{"tag":"a","x":1,"y":0,"z":0}]}`. Other keys are
+/// passed over, and so are targets with an empty tag, as in ODAS's phoenix. Faults: no JSON of this form, a
+/// tag over 63 bytes, "dynamic" or given twice, a direction that is no direction.
+[[nodiscard]] TargetMessage read_targets(std::string_view json);
+
+/// Messages one after another, with or without space between them, that arrive in pieces of any size.
+///
+/// Method: a message ends where its braces are even (those within strings do not count). A brace opens where
+/// no value can stand: the message before it was cut, and a new one begins. What stands outside of braces,
+/// and what grows over kLongest, is a fault, and reading goes on at the next brace.
+/// Cost: each byte is looked at once, and parsed once; at most kLongest bytes and the last piece are held.
+class TargetReader {
+ public:
+  static constexpr std::size_t kLongest = 65536;  // bytes of a message
+
+  /// A piece of what arrives. Ask `next` until it has no more before the next piece.
+  void push(std::string_view piece);
+  /// The next whole message, good or not; none: more bytes are needed.
+  [[nodiscard]] std::optional<TargetMessage> next();
+  /// Forgets what has arrived: another peer is speaking.
+  void reset();
+
+ private:
+  /// Looks at one byte; true if a message ends with it.
+  bool ends_with(char byte);
+  void begin();
+
+  std::string piece_;  // what has been pushed and not been looked at, from at_ on
+  std::size_t at_ = 0;
+  std::string message_;  // from its opening brace on
+  int depth_ = 0;        // open braces; 0: between messages
+  bool in_string_ = false;
+  bool after_backslash_ = false;
+  char last_ = 0;            // last byte of the message that is no space, outside of strings
+  bool in_garbage_ = false;  // between messages, and it has been said
+};
+
+}  // namespace odas

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "odas/tracking/departed.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odas {
+namespace {
+
+constexpr std::size_t kCapacity = 64;
+
+}  // namespace
+
+Departed::Departed(std::uint64_t hops) : hops_(hops), sources_(hops > 0 ? kCapacity : 0) {}
+
+void Departed::add(std::uint64_t id, Vec3 direction) noexcept {
+  if (sources_.empty()) return;
+  // A free place before any other, and the oldest before a younger one.
+  const auto place = std::min_element(sources_.begin(), sources_.end(), [](const Source& a, const Source& b) {
+    return a.id == 0 || b.id == 0 ? a.id == 0 && b.id != 0 : a.since < b.since;
+  });
+  *place = {id, direction, now_};
+}
+
+void Departed::age() noexcept {
+  ++now_;
+  for (Source& source : sources_) {
+    if (source.id != 0 && now_ - source.since > hops_) source = {};
+  }
+}
+
+void Departed::reset() noexcept {
+  now_ = 0;
+  std::fill(sources_.begin(), sources_.end(), Source{});
+}
+
+std::optional<Departed::Match> Departed::nearest(Vec3 direction) const noexcept {
+  std::optional<Match> best;
+  float least = std::cos(radians(kNear));
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    const float cosine = dot(sources_[i].direction, direction);
+    if (sources_[i].id == 0 || cosine < least) continue;
+    best = Match{i, cosine};
+    least = cosine;
+  }
+  return best;
+}
+
+std::uint64_t Departed::take(std::size_t place) noexcept {
+  const std::uint64_t id = sources_[place].id;
+  sources_[place] = {};
+  return id;
+}
+
+}  // namespace odas
