@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The man pages and the shell completions know every command and option that --help tells, and no other.
+#include <algorithm>
 #include <fstream>
 #include <regex>
 #include <set>
@@ -36,8 +37,10 @@ Words all_matches(const std::string& text, const std::regex& pattern) {
 }
 
 Words commands() {
-  const std::string help = help_of("");
-  return all_matches(help.substr(help.find("Subcommands:")), std::regex(R"((?:^|\n)  ([a-z]+) )"));
+  std::string help = help_of("");
+  help.erase(0, help.find("Subcommands:"));
+  help.resize(std::min(help.find("\n\n"), help.size()));  // examples follow, which begin with odas
+  return all_matches(help, std::regex(R"((?:^|\n)  ([a-z]+) )"));
 }
 
 /// The lines of the options alone: the examples below them name options of other commands, too.
