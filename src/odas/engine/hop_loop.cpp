@@ -3,9 +3,11 @@
 
 namespace odas {
 
-HopLoop::HopLoop(const Configuration& config, std::size_t channels, int source_rate, Pipeline& pipeline)
+HopLoop::HopLoop(const Configuration& config, std::size_t channels, int source_rate, Pipeline& pipeline,
+                 TargetInbox* targets)
     : front_end_(config, channels, source_rate),
       pipeline_(pipeline),
+      targets_(targets),
       hop_(pipeline.mics(), pipeline.hop_size()) {
   ODAS_EXPECT(front_end_.mics() == pipeline.mics());
 }

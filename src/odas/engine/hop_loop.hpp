@@ -5,6 +5,7 @@
 
 #include "odas/engine/front_end.hpp"
 #include "odas/engine/metrics.hpp"
+#include "odas/engine/target_inbox.hpp"
 #include "odas/pipeline/pipeline.hpp"
 
 namespace odas {
@@ -13,8 +14,10 @@ namespace odas {
 /// threads does in its stead.
 class HopLoop {
  public:
-  /// Throws ConfigError where source, configuration and pipeline do not fit each other.
-  HopLoop(const Configuration& config, std::size_t channels, int source_rate, Pipeline& pipeline);
+  /// `targets`: whence fixed directions come while it goes on, or nullptr. Throws ConfigError where source,
+  /// configuration and pipeline do not fit each other.
+  HopLoop(const Configuration& config, std::size_t channels, int source_rate, Pipeline& pipeline,
+          TargetInbox* targets = nullptr);
 
   /// `take(const HopResult&)` is called for each hop that the block completes.
   template <class Take>
@@ -37,15 +40,18 @@ class HopLoop {
 
  private:
   HopResult process() noexcept {
+    if (targets_ != nullptr) targets_->deliver(pipeline_);
     const auto start = std::chrono::steady_clock::now();
     const HopResult result = pipeline_.process_hop(hop_);
     hop_time_.add(std::chrono::steady_clock::now() - start);
+    if (targets_ != nullptr) targets_->note(pipeline_);
     ++hops_;
     return result;
   }
 
   FrontEnd front_end_;
   Pipeline& pipeline_;
+  TargetInbox* targets_;
   Grid<float> hop_;  // [mic][hop]
   TimeHistogram hop_time_;
   std::uint64_t hops_ = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "odas/engine/hop_loop.hpp"
 
+#include <algorithm>
+
 #include "support/allocation_counter.hpp"
 #include "support/fake_io.hpp"
 #include <gtest/gtest.h>
@@ -46,6 +48,46 @@ TEST(HopLoop, counts_samples_that_are_not_finite) {
     loop.finish(true, [](const HopResult&) {});
     EXPECT_EQ(loop.metrics().non_finite_samples, 1U) << rate;
   }
+}
+
+TEST(HopLoop, follows_the_targets_of_its_inbox_from_the_next_hop_on) {
+  const Configuration config = test::small_configuration();
+  Pipeline pipeline(config.pipeline);
+  TargetInbox inbox;
+  HopLoop loop(config, 3, 16000, pipeline, &inbox);
+  const Grid<float> block = test::noise(3, 128);
+  std::size_t followed = 0;
+  const auto count = [&](const HopResult& hop) {
+    followed =
+        static_cast<std::size_t>(std::count_if(hop.tracks.begin(), hop.tracks.end(), [](const Track& t) {
+          return t.tag != "dynamic" && t.id != 0;
+        }));
+  };
+  loop.push(block, count);
+  EXPECT_EQ(followed, 0U);
+  TargetList targets;
+  const std::vector<Target> five{
+      {"a", {1, 0, 0}}, {"b", {0, 1, 0}}, {"c", {0, 0, 1}}, {"d", {-1, 0, 0}}, {"e", {0, -1, 0}}};
+  targets.assign(five);
+  EXPECT_TRUE(inbox.post(targets));
+  const auto before = test::allocations();
+  loop.push(block, count);
+  EXPECT_EQ(test::allocations(), before);
+  EXPECT_EQ(followed, 4U) << "there are four slots";
+  EXPECT_EQ(inbox.unfollowed(), 1U);
+  targets.assign({});
+  EXPECT_TRUE(inbox.post(targets));
+  loop.push(block, count);
+  EXPECT_EQ(followed, 0U);
+  EXPECT_EQ(inbox.unfollowed(), 0U);
+}
+
+TEST(TargetInbox, holds_a_sender_off_that_is_far_ahead_of_the_engine) {
+  TargetInbox inbox;
+  int taken = 0;
+  while (inbox.post(TargetList()) && taken < 1000) ++taken;
+  EXPECT_GT(taken, 0);
+  EXPECT_LT(taken, 1000);
 }
 
 TEST(HopLoop, allocates_nothing_once_it_runs) {

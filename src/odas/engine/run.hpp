@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "odas/engine/metrics.hpp"
+#include "odas/engine/target_inbox.hpp"
 
 namespace odas {
 
@@ -20,6 +21,8 @@ struct RunOptions {
   bool pad_last_block = true;
   /// Set by somebody else (a signal, a button): the run ends well, with all files finished.
   const std::atomic<bool>* stop = nullptr;
+  /// Whence fixed directions come and go while it runs; nullptr: those of the configuration hold.
+  TargetInbox* targets = nullptr;
   /// Frames read so far, and of how many. Called for each block, in the thread of the caller.
   std::function<void(std::uint64_t done, std::optional<std::uint64_t> total)> progress;
   /// Told at once of what a user should know but what does not end the run: "microphone 3 (channel 4) is
