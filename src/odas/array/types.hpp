@@ -23,12 +23,16 @@ struct Potential {
   float energy = 0;
 };
 
+/// What a followed source is. `undefined`: an empty slot, or nobody asked.
+enum class Category : std::uint8_t { undefined, nonspeech, speech };
+
 /// A source that is followed. The index in the list of tracks is its slot, and so its audio channel.
 struct Track {
   std::uint64_t id = 0;  // 0: an empty slot. Ids rise and are never used again
   ShortString<63> tag{};
   Vec3 direction{};
-  float activity = 0;  // 0..1: how sure it is that the source sounds in this hop
+  float activity = 0;                       // 0..1: how sure it is that the source sounds in this hop
+  Category category = Category::undefined;  // written by the classifier, where it runs
 };
 
 }  // namespace odas

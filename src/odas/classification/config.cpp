@@ -6,6 +6,7 @@ namespace odas {
 Schema ClassifyConfig::schema() {
   using C = ClassifyConfig;
   static const std::vector<Field> fields{
+      field<&C::mode>("mode", "", kAny, "how speech is told from other sounds", {"pitch"}),
       field<&C::frame_size>("frameSize", "samples", {2, 1048576}, "analysis frame"),
       field<&C::win_size>("winSize", "lags", {1, 1000}, "half-width of the peak test"),
       field<&C::tau_min>("tauMin", "lags", kPositive, "shortest pitch period"),

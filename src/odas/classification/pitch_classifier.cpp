@@ -33,10 +33,9 @@ PitchClassifier::PitchClassifier(const ClassifyConfig& config, std::size_t hop_s
   for (Slot& slot : slots_) slot.frame.resize(static_cast<std::size_t>(config.frame_size));
 }
 
-void PitchClassifier::classify(GridView<const float> separated, std::span<const Track> tracks,
-                               std::span<Category> categories) noexcept {
+void PitchClassifier::classify(GridView<const float> separated, std::span<Track> tracks) noexcept {
   ODAS_EXPECT(separated.rows() == slots_.size() && separated.cols() == hop_size_);
-  ODAS_EXPECT(tracks.size() == slots_.size() && categories.size() == slots_.size());
+  ODAS_EXPECT(tracks.size() == slots_.size());
   for (std::size_t s = 0; s < slots_.size(); ++s) {
     Slot& slot = slots_[s];
     if (slot.id != tracks[s].id) {
@@ -44,13 +43,13 @@ void PitchClassifier::classify(GridView<const float> separated, std::span<const 
       slot.id = tracks[s].id;
     }
     if (slot.id == 0) {
-      categories[s] = Category::undefined;
+      tracks[s].category = Category::undefined;
       continue;
     }
     listen(slot, separated[s]);
     // In a frame that is not full yet, the pitch seems to move.
     follow_pitch(slot, slot.heard >= slot.frame.size() ? detector_.period(slot.frame) : 0);
-    categories[s] = slot.voiced_share > config_.r0 ? Category::speech : Category::nonspeech;
+    tracks[s].category = slot.voiced_share > config_.r0 ? Category::speech : Category::nonspeech;
   }
 }
 

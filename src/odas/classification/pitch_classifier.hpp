@@ -29,8 +29,7 @@ class PitchClassifier final : public Classifier {
  public:
   PitchClassifier(const ClassifyConfig& config, std::size_t hop_size, std::size_t slots);
 
-  void classify(GridView<const float> separated, std::span<const Track> tracks,
-                std::span<Category> categories) noexcept override;
+  void classify(GridView<const float> separated, std::span<Track> tracks) noexcept override;
   void reset() noexcept override;
 
  private:

@@ -42,8 +42,9 @@ Wanted wanted_of(const Configuration& config) {
   Wanted wanted;
   wanted.potentials = listens(config.potential);
   wanted.tracks = listens(config.tracked);
-  wanted.separated = listens(config.separated) || listens(config.category);
+  wanted.separated = listens(config.separated);
   wanted.postfiltered = listens(config.postfiltered);
+  wanted.categories = listens(config.category);
   return wanted;
 }
 

@@ -16,6 +16,7 @@ struct Wanted {
   bool tracks = true;
   bool separated = true;
   bool postfiltered = true;
+  bool categories = false;  // the classes of the tracks: asked for expressly, since they need the voices
 };
 
 /// All that the pipeline needs to know: the sections general, sne, ssl, sst, sss of the configuration.

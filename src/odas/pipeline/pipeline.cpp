@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "odas/classification/registry.hpp"
 #include "odas/dsp/mcra.hpp"
 #include "odas/dsp/stft.hpp"
 #include "odas/localization/registry.hpp"
@@ -19,10 +20,12 @@ namespace {
 struct Stages {
   explicit Stages(const Wanted& wanted)
       : post_filter(wanted.postfiltered),
-        beamformer(wanted.separated || post_filter),
+        classifier(wanted.categories),
+        separated(wanted.separated || classifier),
+        beamformer(separated || post_filter),
         tracker(wanted.tracks || beamformer),
         localizer(wanted.potentials || tracker) {}
-  bool post_filter, beamformer, tracker, localizer;
+  bool post_filter, classifier, separated, beamformer, tracker, localizer;
 };
 
 std::size_t size(int value) { return static_cast<std::size_t>(value); }
@@ -48,6 +51,7 @@ struct Pipeline::Parts {
   std::unique_ptr<Beamformer> beamformer;
   std::unique_ptr<PostFilter> post_filter;
   std::optional<Istft> separated_istft, postfiltered_istft;
+  std::unique_ptr<Classifier> classifier;
 
   // What goes from stage to stage
   HopIndex time = 0;
@@ -81,10 +85,11 @@ Pipeline::Parts::Parts(const PipelineConfig& config)
     beamformer = make_beamformer(config.sss, config.general, slots());
     beams = Grid<cfloat>(slots(), stft.bins());
   }
-  if (wanted.separated) {
+  if (stages.separated) {
     separated_istft.emplace(slots(), hop_size, frame_size);
     separated = Grid<float>(slots(), hop_size);
   }
+  if (stages.classifier) classifier = make_classifier(config.classify, hop_size, slots());
   if (stages.post_filter) {
     post_filter = make_post_filter(config.sss, config.sne, config.general, slots());
     filtered = Grid<cfloat>(slots(), stft.bins());
@@ -112,6 +117,7 @@ HopResult Pipeline::process_hop(GridView<const float> mics) noexcept {
   if (p.tracker) p.tracker->update(p.potentials, p.tracks);
   if (p.beamformer) p.beamformer->separate(p.spectra, p.tracks, p.beams);
   if (p.separated_istft) p.separated_istft->synthesise(p.beams, p.separated);
+  if (p.classifier) p.classifier->classify(p.separated, p.tracks);
   if (p.post_filter) {
     p.post_filter->apply(p.spectra, noise_psd, p.tracks, *p.beamformer, p.beams, p.filtered);
     p.postfiltered_istft->synthesise(p.filtered, p.postfiltered);
@@ -136,6 +142,7 @@ void Pipeline::reset() noexcept {
   if (p.tracker) p.tracker->reset();
   if (p.beamformer) p.beamformer->reset();
   if (p.separated_istft) p.separated_istft->reset();
+  if (p.classifier) p.classifier->reset();
   if (p.post_filter) p.post_filter->reset();
   if (p.postfiltered_istft) p.postfiltered_istft->reset();
 }

@@ -28,11 +28,11 @@ PipelineConfig tetrahedron_config() {
 class FarSource {
  public:
   FarSource(const GeneralConfig& config, Vec3 u, std::size_t hops, float level = 0.1F, unsigned seed = 1)
-      : hop_(static_cast<std::size_t>(config.size.hop_size)), mics_(config.mics.size(), hops * hop_) {
-    std::mt19937 random(seed);
-    std::normal_distribution<float> normal;
-    std::vector<float> dry(mics_.cols() + 200);
-    for (float& x : dry) x = level * normal(random);
+      : FarSource(config, u,
+                  white(hops * static_cast<std::size_t>(config.size.hop_size) + 200, level, seed)) {}
+  /// Of the sound `dry`, 200 samples longer than what is heard.
+  FarSource(const GeneralConfig& config, Vec3 u, const std::vector<float>& dry)
+      : hop_(static_cast<std::size_t>(config.size.hop_size)), mics_(config.mics.size(), dry.size() - 200) {
     const float per_metre = static_cast<float>(config.samplerate.mu) / config.speedofsound.mu;
     for (std::size_t m = 0; m < mics_.rows(); ++m) {
       const auto& p = config.mics[m].mu;
@@ -58,6 +58,14 @@ class FarSource {
   [[nodiscard]] std::size_t hops() const { return mics_.cols() / hop_; }
 
  private:
+  static std::vector<float> white(std::size_t size, float level, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<float> normal;
+    std::vector<float> out(size);
+    for (float& x : out) x = level * normal(random);
+    return out;
+  }
+
   std::size_t hop_;
   Grid<float> mics_;
 };
@@ -101,6 +109,35 @@ TEST(Pipeline, Computes_what_is_wanted_and_nothing_else) {
   }
 }
 
+/// A voice of ten harmonics whose pitch swings, as that of a talker does.
+std::vector<float> talker(std::size_t size) {
+  std::vector<float> out(size);
+  double phase = 0;
+  for (std::size_t n = 0; n < size; ++n) {
+    phase += 2 * M_PI * (140 + 30 * std::sin(2 * M_PI * 1.5 * static_cast<double>(n) / 16000)) / 16000;
+    for (int h = 1; h <= 20; ++h) out[n] += static_cast<float>(0.03 * std::cos(h * phase + h * h));
+  }
+  return out;
+}
+
+TEST(Pipeline, Writes_into_each_track_whether_it_speaks_where_somebody_asks) {
+  PipelineConfig config = tetrahedron_config();
+  config.wanted = {.potentials = false, .tracks = false, .separated = false, .postfiltered = false};
+  config.wanted.categories = true;
+  config.classify.voicing_min = 0.35F;
+  for (const auto& [speaks, said] : {std::pair{true, Category::speech}, {false, Category::nonspeech}}) {
+    Pipeline pipeline(config);
+    FarSource noise(config.general, direction_of(35, 20), 150);
+    const auto voice = talker(noise.hops() * pipeline.hop_size() + 200);
+    FarSource source = speaks ? FarSource(config.general, direction_of(35, 20), voice) : noise;
+    HopResult result;
+    for (std::size_t h = 0; h < source.hops(); ++h) result = pipeline.process_hop(source.hop(h));
+    ASSERT_NE(result.tracks[0].id, 0U);
+    EXPECT_EQ(result.tracks[0].category, said);
+    EXPECT_EQ(result.tracks[1].category, Category::undefined) << "empty";
+  }
+}
+
 struct Methods {
   const char *sep, *pf, *weighting;
 };
@@ -110,6 +147,7 @@ class PipelineMethods : public ::testing::TestWithParam<Methods> {
     config.sss.mode_sep = GetParam().sep;
     config.sss.mode_pf = GetParam().pf;
     config.ssl.weighting = GetParam().weighting;
+    config.wanted.categories = true;
   }
   PipelineConfig config;
 };
