@@ -8,25 +8,11 @@
 #include "odas/base/error.hpp"
 #include "odas/io/audio_sink.hpp"
 #include "odas/io/record_sink.hpp"
-#include "odas/io/recording.hpp"
 #include "odas/io/terminal_writer.hpp"
 #include "odas/io/wav_writer.hpp"
 
 namespace odas {
 namespace {
-
-// One line a kind of source. No function: it is known, and comes later.
-struct SourceKind {
-  std::string_view type;
-  std::unique_ptr<AudioSource> (*make)(const RawConfig&);
-};
-constexpr std::array kSources{
-    SourceKind{"file", [](const RawConfig& raw) { return open_recording(raw.interface.path, raw); }},
-    SourceKind{"socket", nullptr},
-    SourceKind{"soundcard", nullptr},
-    SourceKind{"soundcard_name", nullptr},
-    SourceKind{"pulseaudio", nullptr},
-};
 
 // One line a place to write to.
 struct WriterKind {
@@ -128,22 +114,6 @@ std::unique_ptr<Sink> make_audio_sink(AudioSink::Format format, const AudioOutpu
 }
 
 }  // namespace
-
-std::unique_ptr<AudioSource> make_source(const RawConfig& raw) {
-  const std::string& type = raw.interface.type;
-  if (type == "blackhole") {
-    throw ConfigError(
-        "raw.interface.type",
-        "is \"blackhole\": there is nothing to listen to; set the interface of the microphones, "
-        "or give a recording to odas run");
-  }
-  const SourceKind* kind = find(kSources, type);
-  if (kind == nullptr || kind->make == nullptr) {
-    throw ConfigError("raw.interface.type",
-                      "is \"" + type + "\", which this version cannot do yet; use \"file\"");
-  }
-  return kind->make(raw);
-}
 
 std::vector<std::unique_ptr<Sink>> make_sinks(const Configuration& config, const SinkOptions& options) {
   check(config);

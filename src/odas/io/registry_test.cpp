@@ -65,19 +65,5 @@ TEST(Registry, refuses_a_format_that_a_stream_cannot_be) {
   EXPECT_EQ(faults_of(config)[0].path, "sst.tracked.format");
 }
 
-TEST(Registry, says_which_sources_come_later) {
-  RawConfig raw;
-  for (const char* type : {"blackhole", "socket", "soundcard", "soundcard_name", "pulseaudio"}) {
-    raw.interface.type = type;
-    try {
-      static_cast<void>(make_source(raw));
-      ADD_FAILURE() << type;
-    } catch (const ConfigError& error) {
-      EXPECT_EQ(error.faults()[0].path, "raw.interface.type");
-      EXPECT_NE(error.faults()[0].what.find(type), std::string::npos);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace odas

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "odas/base/error.hpp"
+#include "odas/io/registry.hpp"
+
+namespace odas {
+namespace {
+
+TEST(SourceRegistry, says_which_sources_come_later) {
+  RawConfig raw;
+  for (const char* type : {"blackhole", "socket", "soundcard", "soundcard_name", "pulseaudio"}) {
+    raw.interface.type = type;
+    try {
+      static_cast<void>(make_source(raw));
+      ADD_FAILURE() << type;
+    } catch (const ConfigError& error) {
+      EXPECT_EQ(error.faults()[0].path, "raw.interface.type");
+      EXPECT_NE(error.faults()[0].what.find(type), std::string::npos);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace odas
