@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdio>
+#include <optional>
 
 #include "odas/config/reader.hpp"
 #include "odas/engine/live.hpp"
 #include "odas/engine/offline.hpp"
 #include "odas/io/registry.hpp"
+#include "odas/io/target_server.hpp"
 
 namespace odas {
 namespace {
@@ -31,10 +33,19 @@ RunSummary run_configuration(const std::string& file, const ConfiguredRun& how, 
     std::vector<Sink*> all;
     for (const auto& sink : sinks) all.push_back(sink.get());
 
+    TargetInbox inbox;
+    std::optional<TargetServer> server;
+    if (const InterfaceConfig& at = config.control.interface; at.type != "blackhole") {
+      TargetList begin;
+      begin.assign(targets_of(config.pipeline.sst));
+      server.emplace(at, begin, inbox, [&](const std::string& what) { say(program, "targets: " + what); });
+    }
+
     RunOptions options;
     options.silent_first_block = how.like_odas;
     options.pad_last_block = !how.like_odas;
     options.stop = &stop;
+    options.targets = server ? &inbox : nullptr;
     options.warn = [&](const std::string& warning) { say(program, "warning: " + warning); };
     const auto run = how.threads ? run_live : run_offline;
     return run(*source, config, pipeline, all, options);

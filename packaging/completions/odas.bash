@@ -12,17 +12,18 @@ _odas() {
     -o | --out) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -d -- "$cur"); return ;;
   esac
   case $command in
-    '') options='run live simulate score check -h --help --version' ;;
+    '') options='run live simulate score targets check -h --help --version' ;;
     run) options='-h --help -c --config -o --out --odas-files' ;;
     live) options='-h --help -c --config -v --verbose' ;;
     simulate) options='-h --help -o --out --flac' ;;
     score) options='-h --help --json' ;;
+    targets) options='-h --help --add --remove --set --clear --token' ;;
     check) options='-h --help --keys' ;;
     *) return ;;
   esac
   if [[ $cur == -* || -z $command ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$cur")
-  elif [[ $command != live ]]; then
+  elif [[ $command != live && $command != targets ]]; then
     compopt -o filenames
     mapfile -t COMPREPLY < <(compgen -f -- "$cur")
   fi

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 
+#include "odas/base/host.hpp"
 #include "odas/config/checks.hpp"
 
 namespace odas {
@@ -29,6 +30,18 @@ bool check_interface(const std::string& path, const InterfaceConfig& interface, 
   if (type == "soundcard_name") needs("devicename", !interface.devicename.empty());
   if (type == "pulseaudio") needs("source", !interface.source.empty());
   return true;
+}
+
+/// Beyond this machine a listener hears everybody: then the token tells friends from others.
+void check_listener(const std::string& path, const InterfaceConfig& interface, CheckReport& report) {
+  if (interface.type != "socket_listen") return;
+  if (interface.port == 0 && report.sound(path + ".port")) {
+    report.error(path + ".port", "is missing; type = \"socket_listen\" needs it");
+  }
+  if (!is_loopback_host(interface.ip) && interface.token.empty() && report.sound(path + ".token")) {
+    report.error(path + ".token", "is missing; whoever listens at " + interface.ip +
+                                      ", beyond this machine, needs a token that clients say first");
+  }
 }
 
 void check_source(const Configuration& config, CheckReport& report) {
@@ -98,6 +111,9 @@ void check_interfaces(const Configuration& config, CheckReport& report) {
   check_text("classify.category", config.category, false, report);
   check_audio("sss.separated.interface", config.separated.interface, report);
   check_audio("sss.postfiltered.interface", config.postfiltered.interface, report);
+  if (check_interface("sst.control.interface", config.control.interface, report)) {
+    check_listener("sst.control.interface", config.control.interface, report);
+  }
   check_paths(config, report);
 }
 

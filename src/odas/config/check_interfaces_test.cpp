@@ -91,5 +91,17 @@ TEST(CheckInterfaces, refuse_two_writers_of_one_file) {
     postfiltered: { interface: { type = "file"; path = "/dev/null"; }; }; };)")));
 }
 
+TEST(CheckInterfaces, A_listener_beyond_this_machine_needs_a_token) {
+  const auto control = [](const std::string& keys) {
+    return read_with("sst: { control: { interface: { type = \"socket_listen\"; " + keys + " }; }; };");
+  };
+  const char* const path = "sst.control.interface.token";
+  EXPECT_TRUE(errs(control(R"(ip = "0.0.0.0"; port = 9010;)"), path, "beyond this machine"));
+  EXPECT_TRUE(control(R"(ip = "0.0.0.0"; port = 9010; token = "s3cret";)").ok());
+  EXPECT_TRUE(control(R"(port = 9010;)").ok());
+  EXPECT_TRUE(control(R"(ip = "::1"; port = 9010;)").ok());
+  EXPECT_TRUE(errs(control(""), "sst.control.interface.port", "is missing"));
+}
+
 }  // namespace
 }  // namespace odas

@@ -15,16 +15,35 @@ Schema InterfaceConfig::sink_schema() {
   return fields;
 }
 
+Schema InterfaceConfig::control_schema() {
+  using C = InterfaceConfig;
+  static const std::vector<Field> fields{
+      field<&C::type>("type", "", kAny,
+                      "socket_listen: clients come to us; socket: we dial one; blackhole: none",
+                      {"blackhole", "socket", "socket_listen"}),
+      field<&C::ip>("ip", "", kAny, "address or name, of the peer or to listen at; absent: 127.0.0.1"),
+      field<&C::port>("port", "", {0, 65535}, "TCP port"),
+      field<&C::token>("token", "", kAny,
+                       "socket_listen: what clients must say first; required beyond this machine"),
+  };
+  return fields;
+}
+
 namespace {
 
-/// The `interface` of an output.
+/// The `interface` of a group that is no source: with the keys that it can have.
+template <class Group, Schema (*schema)()>
+Field interface_field(std::string_view meaning) {
+  Field place = field<&Group::interface>("interface", "", kAny, meaning);
+  place.access_ = [](void* object) -> FieldValue {
+    return GroupRef{&static_cast<Group*>(object)->interface, schema()};
+  };
+  return place;
+}
+
 template <class Output>
 Field sink_field() {
-  Field sink = field<&Output::interface>("interface", "", kAny, "where it goes");
-  sink.access_ = [](void* object) -> FieldValue {
-    return GroupRef{&static_cast<Output*>(object)->interface, InterfaceConfig::sink_schema()};
-  };
-  return sink;
+  return interface_field<Output, InterfaceConfig::sink_schema>("where it goes");
 }
 
 }  // namespace
@@ -44,6 +63,13 @@ Schema TextOutputConfig::schema() {
       field<&C::format>("format", "", kAny, "json: ODAS's own; jsonl: one object a line; binary: four floats",
                         {"undefined", "json", "jsonl", "binary"}),
       sink_field<C>(),
+  };
+  return fields;
+}
+
+Schema ControlConfig::schema() {
+  static const std::vector<Field> fields{
+      interface_field<ControlConfig, InterfaceConfig::control_schema>("where targets come from"),
   };
   return fields;
 }
@@ -73,7 +99,9 @@ struct PotentialGroup {
 };
 struct TrackedGroup {
   static Schema schema() {
-    static const std::vector<Field> fields{field<&Configuration::tracked>("tracked", "", kAny, "the tracks")};
+    static const std::vector<Field> fields{
+        field<&Configuration::tracked>("tracked", "", kAny, "the tracks"),
+        field<&Configuration::control>("control", "", kAny, "targets that come, move and go while it runs")};
     return fields;
   }
 };

@@ -13,14 +13,16 @@ namespace odas {
 struct InterfaceConfig {
   std::string type = "blackhole";
   std::string path;                     // file
-  std::string ip;                       // socket
-  int port = 0;                         // socket
+  std::string ip;                       // sockets
+  int port = 0;                         // sockets
+  std::string token;                    // socket_listen
   int card = 0, device = 0;             // soundcard: ALSA hw:card,device
   std::string devicename;               // soundcard_name: ALSA PCM name
   std::string source;                   // pulseaudio
   std::vector<std::string> channelmap;  // pulseaudio
   static Schema schema();               // of a source
   static Schema sink_schema();
+  static Schema control_schema();
 };
 
 /// The microphones as they come: section `raw`.
@@ -55,6 +57,12 @@ struct AudioOutputConfig {
   static Schema schema();
 };
 
+/// Whence targets come and go while it runs: `sst.control`.
+struct ControlConfig {
+  InterfaceConfig interface;
+  static Schema schema();
+};
+
 /// A whole configuration file.
 struct Configuration {
   RawConfig raw;
@@ -63,6 +71,7 @@ struct Configuration {
   TextOutputConfig potential;
   TextOutputConfig tracked;
   TextOutputConfig category;
+  ControlConfig control;
   AudioOutputConfig separated;
   AudioOutputConfig postfiltered;
 };

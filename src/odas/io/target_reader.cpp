@@ -33,37 +33,90 @@ std::optional<Vec3> direction_in(const json& item) {
   return normalized({static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])});
 }
 
-TargetMessage refused(std::string fault) { return {{}, 0, std::move(fault)}; }
+TargetMessage refused(std::string fault) {
+  TargetMessage message;
+  message.fault = std::move(fault);
+  return message;
+}
+
+/// Appends the target that `item` describes; the fault, or "".
+std::string read_target(const json& item, const std::string& path, std::vector<Target>& targets) {
+  if (!item.is_object()) return path + " is no JSON object";
+  const auto tag = item.find("tag");
+  if (tag == item.end() || !tag->is_string()) return path + ".tag is no text";
+  const auto& name = tag->get_ref<const std::string&>();
+  if (name.empty()) return "";
+  if (name.size() > kLongestTag) return path + ".tag has more than 63 bytes";
+  if (name == "dynamic") return path + ".tag is \"dynamic\", the tag of sources that come and go";
+  const std::optional<Vec3> direction = direction_in(item);
+  if (!direction) return path + " has no direction: x, y and z are numbers, not all 0";
+  for (const Target& other : targets) {
+    if (other.tag.view() == name) return path + ".tag is the tag of another target";
+  }
+  targets.push_back({std::string_view(name), *direction});
+  return "";
+}
 
 }  // namespace
 
 TargetMessage read_targets(std::string_view text) {
-  const json message = json::parse(text, nullptr, false);
-  if (message.is_discarded()) return refused("is no JSON");
-  if (!message.is_object()) return refused("is no JSON object");
-  const auto list = message.find("targets");
-  if (list == message.end() || !list->is_array()) return refused("has no list \"targets\"");
-  std::vector<Target> targets;
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const json& item = (*list)[i];
-    const std::string path = "targets[" + std::to_string(i) + "]";
-    if (!item.is_object()) return refused(path + " is no JSON object");
-    const auto tag = item.find("tag");
-    if (tag == item.end() || !tag->is_string()) return refused(path + ".tag is no text");
-    const auto& name = tag->get_ref<const std::string&>();
-    if (name.empty()) continue;
-    if (name.size() > kLongestTag) return refused(path + ".tag has more than 63 bytes");
-    if (name == "dynamic") return refused(path + ".tag is \"dynamic\", the tag of sources that come and go");
-    const std::optional<Vec3> direction = direction_in(item);
-    if (!direction) return refused(path + " has no direction: x, y and z are numbers, not all 0");
-    for (const Target& other : targets) {
-      if (other.tag.view() == name) return refused(path + ".tag is the tag of another target");
-    }
-    targets.push_back({std::string_view(name), *direction});
-  }
+  const json content = json::parse(text, nullptr, false);
+  if (content.is_discarded()) return refused("is no JSON");
+  if (!content.is_object()) return refused("is no JSON object");
+  const auto list_of = [&](const char* key) -> const json* {
+    const auto found = content.find(key);
+    return found == content.end() ? nullptr : &*found;
+  };
+  const json* const all = list_of("targets");
+  const json* const removed = list_of("remove");
+  const json* const added = all != nullptr ? all : list_of("add");
+  if (added == nullptr && removed == nullptr)
+    return refused("has no list \"targets\", \"add\" or \"remove\"");
+  const std::string key = all != nullptr ? "targets" : "add";
+
   TargetMessage good;
+  good.replaces = all != nullptr;
+  if (removed != nullptr) {
+    if (all != nullptr) return refused("has both \"targets\" and \"remove\"");
+    if (!removed->is_array()) return refused("has no list \"remove\"");
+    for (const json& tag : *removed) {
+      if (!tag.is_string()) return refused("remove has what is no text: it is a list of tags");
+      good.removed.push_back(tag.get<std::string>());
+    }
+  }
+  if (added == nullptr) return good;
+  if (!added->is_array()) return refused("has no list \"" + key + "\"");
+  std::vector<Target> targets;
+  for (std::size_t i = 0; i < added->size(); ++i) {
+    std::string fault = read_target((*added)[i], key + "[" + std::to_string(i) + "]", targets);
+    if (!fault.empty()) return refused(std::move(fault));
+  }
   good.surplus = good.targets.assign(targets);
   return good;
+}
+
+TargetList heed(const TargetMessage& message, const TargetList& before, std::size_t& surplus) {
+  surplus = message.surplus;
+  if (message.replaces) return message.targets;
+  const auto is_removed = [&](const Target& target) {
+    return std::find(message.removed.begin(), message.removed.end(), target.tag.view()) !=
+           message.removed.end();
+  };
+  std::vector<Target> all;
+  for (const Target& target : before.view()) {
+    if (is_removed(target)) continue;
+    const Target* moved = message.targets.find(target.tag);
+    all.push_back(moved != nullptr ? *moved : target);
+  }
+  const std::size_t kept = all.size();
+  for (const Target& target : message.targets.view()) {
+    const auto end = all.begin() + static_cast<std::ptrdiff_t>(kept);
+    const auto is_it = [&](const Target& other) { return other.tag == target.tag; };
+    if (std::none_of(all.begin(), end, is_it)) all.push_back(target);
+  }
+  TargetList now;
+  surplus += now.assign(all);
+  return now;
 }
 
 void TargetReader::push(std::string_view piece) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "odas/tracking/target.hpp"
 
@@ -12,17 +13,23 @@ namespace odas {
 
 /// The fixed directions that one message asks for, or why it cannot be taken; then those before it hold.
 struct TargetMessage {
-  TargetList targets;
-  std::size_t surplus = 0;  // targets beyond what a TargetList holds: left out
-  std::string fault;        // "" if the message is good; one line
+  bool replaces = true;              // `targets` are all that there are; else they come to those before
+  TargetList targets;                // a tag that is there already moves to its new direction
+  std::vector<std::string> removed;  // tags that go, before `targets` come
+  std::size_t surplus = 0;           // targets beyond what a TargetList holds: left out
+  std::string fault;                 // "" if the message is good; one line
 
   [[nodiscard]] bool is_good() const noexcept { return fault.empty(); }
 };
 
-/// Reads one message, the whole of `json`: `{"targets":[{"tag":"a","x":1,"y":0,"z":0}]}`. Other keys are
-/// passed over, and so are targets with an empty tag, as in ODAS's phoenix. Faults: no JSON of this form, a
-/// tag over 63 bytes, "dynamic" or given twice, a direction that is no direction.
+/// Reads one message, the whole of `json`. All targets: `{"targets":[{"tag":"a","x":1,"y":0,"z":0}]}`, as in
+/// ODAS's phoenix; or a change: `{"add":[{"tag":"a",...}],"remove":["b"]}`, of which either may be absent.
+/// Other keys are passed over, and so are targets with an empty tag. Faults: no JSON of this form, a tag over
+/// 63 bytes, "dynamic" or given twice, a direction that is no direction.
 [[nodiscard]] TargetMessage read_targets(std::string_view json);
+
+/// The targets once a good message has been heeded. `surplus`: how many there was no room for.
+[[nodiscard]] TargetList heed(const TargetMessage& message, const TargetList& before, std::size_t& surplus);
 
 /// Messages one after another, with or without space between them, that arrive in pieces of any size.
 ///

@@ -62,7 +62,7 @@ TEST(ReadTargets, says_what_is_wrong) {
   EXPECT_EQ(fault("[]"), "is no JSON object");
   EXPECT_EQ(fault("{\"targets\":}"), "is no JSON");
   EXPECT_EQ(fault(std::string(kDoor) + "}"), "is no JSON");
-  EXPECT_EQ(fault("{}"), "has no list \"targets\"");
+  EXPECT_EQ(fault("{}"), "has no list \"targets\", \"add\" or \"remove\"");
   EXPECT_EQ(fault("{\"targets\":{}}"), "has no list \"targets\"");
   EXPECT_EQ(target("3"), "targets[0] is no JSON object");
   EXPECT_EQ(target(R"({"x":1,"y":0,"z":0})"), "targets[0].tag is no text");
@@ -78,6 +78,52 @@ TEST(ReadTargets, says_what_is_wrong) {
   }
   EXPECT_EQ(target(R"({"tag":"a","x":1,"y":0,"z":0},{"tag":"a","x":0,"y":1,"z":0})"),
             "targets[1].tag is the tag of another target");
+}
+
+TEST(ReadTargets, a_change_says_what_is_wrong_with_it) {
+  const auto fault = [](const std::string& text) { return read_targets(text).fault; };
+  EXPECT_EQ(fault(R"({"add":{}})"), "has no list \"add\"");
+  EXPECT_EQ(fault(R"({"add":[{"tag":"a"}]})"), "add[0] has no direction: x, y and z are numbers, not all 0");
+  EXPECT_EQ(fault(R"({"remove":"a"})"), "has no list \"remove\"");
+  EXPECT_EQ(fault(R"({"remove":[1]})"), "remove has what is no text: it is a list of tags");
+  EXPECT_EQ(fault(R"({"targets":[],"remove":["a"]})"), "has both \"targets\" and \"remove\"");
+}
+
+TEST(Heed, adds_moves_and_removes) {
+  const auto tags_after = [](const std::vector<std::string>& messages) {
+    TargetList targets;
+    for (const std::string& text : messages) {
+      std::size_t surplus = 0;
+      targets = heed(read_targets(text), targets, surplus);
+      EXPECT_EQ(surplus, 0U);
+    }
+    std::string all;
+    for (const Target& t : targets.view()) {
+      all += std::string(t.tag.view()) + (t.direction.x > 0.5F ? "x " : t.direction.y > 0.5F ? "y " : "z ");
+    }
+    return all;
+  };
+  const std::string two = R"({"targets":[{"tag":"a","x":1,"y":0,"z":0},{"tag":"b","x":0,"y":1,"z":0}]})";
+  const std::string up = R"("x":0,"y":0,"z":1}]})";
+  EXPECT_EQ(tags_after({two}), "ax by ");
+  EXPECT_EQ(tags_after({two, R"({"add":[{"tag":"c",)" + up}), "ax by cz ");
+  EXPECT_EQ(tags_after({two, R"({"add":[{"tag":"a",)" + up}), "az by ");
+  EXPECT_EQ(tags_after({two, R"({"remove":["a","nobody"]})"}), "by ");
+  EXPECT_EQ(tags_after({two, R"({"remove":["a"],"add":[{"tag":"a",)" + up}), "by az ");
+  EXPECT_EQ(tags_after({two, R"({"targets":[{"tag":"c",)" + up}), "cz ");
+}
+
+TEST(Heed, counts_those_that_there_is_no_room_for) {
+  TargetList targets;
+  std::size_t lost = 0;
+  for (int i = 0; i < 70; ++i) {
+    std::size_t surplus = 0;
+    targets = heed(read_targets(R"({"add":[{"tag":")" + std::to_string(i) + R"(","x":1,"y":0,"z":0}]})"),
+                   targets, surplus);
+    lost += surplus;
+  }
+  EXPECT_EQ(targets.view().size(), 64U);
+  EXPECT_EQ(lost, 6U);
 }
 
 TEST(ReadTargets, keeps_the_first_64_and_counts_the_rest) {

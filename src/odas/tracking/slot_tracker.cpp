@@ -28,9 +28,7 @@ SlotTracker<Filter>::SlotTracker(const SstConfig& config, const TrackerContext& 
       association_(config, config.slots(), context.potentials, context.heard_share),
       slots_(config.slots(), Slot{{}, prototype}),
       departed_(hops_in(static_cast<double>(config.memory), context.hop_seconds)) {
-  std::vector<Target> targets;
-  for (const TargetConfig& t : config.target) targets.push_back({std::string_view(t.tag), {t.x, t.y, t.z}});
-  first_refused_ = refused_ = first_targets_.assign(targets);
+  first_refused_ = refused_ = first_targets_.assign(targets_of(config));
   targets_ = first_targets_;
 }
 

@@ -4,7 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "odas/tracking/config.hpp"
+
 namespace odas {
+
+std::vector<Target> targets_of(const SstConfig& config) {
+  std::vector<Target> targets;
+  for (const TargetConfig& t : config.target) targets.push_back({std::string_view(t.tag), {t.x, t.y, t.z}});
+  return targets;
+}
 
 const char* fault_of(const Target& target) noexcept {
   if (target.tag.empty()) return "has no tag";

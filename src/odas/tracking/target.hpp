@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "odas/array/types.hpp"
 
@@ -16,6 +17,10 @@ struct Target {
 
   friend bool operator==(const Target&, const Target&) = default;
 };
+
+struct SstConfig;
+/// The fixed directions that a configuration begins with: `sst.target`.
+[[nodiscard]] std::vector<Target> targets_of(const SstConfig& config);
 
 /// Why a target cannot be followed; "" if it can.
 [[nodiscard]] const char* fault_of(const Target& target) noexcept;
