@@ -162,6 +162,17 @@ void check_windows(const Configuration& config, CheckReport& report) {
   }
 }
 
+/// Of a track that dies before its last sound has passed the look-back, that much is lost.
+void check_lookback(const PipelineConfig& config, CheckReport& report) {
+  if (!report.sound("sss.lookback") || !report.sound("sst.N_inactive") || !report.sound("general")) return;
+  const std::size_t hops = lookback_hops(config);
+  const int patience = *std::min_element(config.sst.n_inactive.begin(), config.sst.n_inactive.end());
+  if (static_cast<std::size_t>(patience) >= hops) return;
+  report.warning("sss.lookback", "is " + std::to_string(hops) +
+                                     " hops, longer than a track outlives its talker (sst.N_inactive is " +
+                                     std::to_string(patience) + "): the ends of voices may be lost");
+}
+
 void check_classify(const ClassifyConfig& classify, CheckReport& report) {
   if (!report.sound("classify")) return;
   if (classify.tau_min >= classify.tau_max) {
@@ -182,6 +193,7 @@ void check_stages(const Configuration& config, CheckReport& report) {
   check_ssl(config, report);
   check_sst(config.pipeline.sst, report);
   check_windows(config, report);
+  check_lookback(config.pipeline, report);
   check_classify(config.pipeline.classify, report);
 }
 

@@ -104,6 +104,12 @@ TEST(CheckStages, want_windows_within_the_frame_of_the_filter_that_is_used) {
   EXPECT_TRUE(errs(read_with("sne: { b = 131; };"), "sne.b", "more than the 129 bins"));
 }
 
+TEST(CheckStages, doubt_a_look_back_that_a_track_does_not_outlive) {
+  EXPECT_TRUE(warns(read_with("sst: { N_inactive = (30, 37); }; sss: { lookback = 300; };"), "sss.lookback",
+                    "is 38 hops, longer than a track outlives its talker (sst.N_inactive is 30)"));
+  EXPECT_TRUE(test::clean(read_with("sst: { N_inactive = (38); }; sss: { lookback = 300; };")));
+}
+
 TEST(CheckStages, want_a_range_of_pitch) {
   EXPECT_TRUE(errs(read_with("classify: { tauMin = 300; };"), "classify.tauMin", "must be less than tauMax"));
   EXPECT_TRUE(

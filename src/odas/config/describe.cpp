@@ -167,7 +167,10 @@ std::string describe_latency(const Configuration& config, const Pipeline::Plan& 
   const Part full{waiting(1000.0 * config.raw.hop_size / config.raw.fs, hop_ms), "until a block is full"};
   const Part in{ahead(config.raw.fs, rate, config.raw.hop_size, hop), "resampling"};
   const std::array parts{
-      full, in, Part{plan.latency_ms, "in the transforms"},
+      full,
+      in,
+      Part{plan.transform_ms, "in the transforms"},
+      Part{plan.lookback_ms, "of look-back"},
       Part{ahead(rate, out.fs, hop, out.hop_size), "resampling the output"},
       Part{std::max(0.0, 1000.0 * out.hop_size / out.fs - hop_ms), "until its block is full"}};
   double sum = 0;

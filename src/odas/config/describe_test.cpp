@@ -12,7 +12,7 @@ Pipeline::Plan some_plan() {
   plan.pairs_used = 5;
   plan.scans = {{2, 162, 71}, {4, 2562, 1241}};
   plan.lags = 49;
-  plan.latency_ms = 8;
+  plan.transform_ms = 8;
   plan.memory_bytes = 3U << 20U;
   return plan;
 }

@@ -25,12 +25,16 @@ class HopLoop {
     front_end_.push(block);
     while (front_end_.pop(hop_)) take(process());
   }
-  /// The input has ended; a last hop is filled up with silence if `pad`.
+  /// The input has ended; a last hop is filled up with silence if `pad`. With a look-back, hops of silence
+  /// follow until the last sound has come out.
   template <class Take>
   void finish(bool pad, Take&& take) {
     front_end_.finish();
     while (front_end_.pop(hop_)) take(process());
     if (pad && front_end_.pop_rest(hop_)) take(process());
+    if (hops_ == 0) return;
+    hop_.fill(0);
+    for (std::size_t h = 0; h < pipeline_.lookback_hops(); ++h) take(process());
   }
 
   [[nodiscard]] InputHealth& health() noexcept { return front_end_.health(); }

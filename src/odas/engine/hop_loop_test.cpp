@@ -27,6 +27,23 @@ TEST(HopLoop, gives_a_result_for_each_hop_and_counts_them) {
   EXPECT_GT(loop.metrics().hop_time.total().count(), 0);
 }
 
+TEST(HopLoop, goes_on_in_silence_until_the_look_back_is_empty) {
+  Configuration config = test::small_configuration();
+  config.pipeline.sss.lookback = 40;
+  Pipeline pipeline(config.pipeline);
+  HopLoop loop(config, 3, 16000, pipeline);
+  HopIndex last = 0;
+  const auto take = [&](const HopResult& hop) { last = hop.time; };
+  loop.push(test::noise(3, 128), take);
+  EXPECT_EQ(last, 1U);
+  loop.finish(true, take);
+  EXPECT_EQ(last, 1U + 5U);
+  HopLoop unused(config, 3, 16000, pipeline);
+  last = 0;
+  unused.finish(true, take);
+  EXPECT_EQ(last, 0U) << "nothing was heard";
+}
+
 TEST(HopLoop, loses_the_rest_where_it_is_not_padded) {
   const Configuration config = test::small_configuration();
   Pipeline pipeline(config.pipeline);

@@ -9,8 +9,7 @@ namespace {
 VoiceRecorder::Format format_of(const PipelineConfig& config) {
   const GeneralConfig& general = config.general;
   const double rate = general.samplerate.mu;
-  return {general.samplerate.mu, general.size.hop_size / rate,
-          (general.size.frame_size - general.size.hop_size) / rate, config.sss.gain_sep};
+  return {general.samplerate.mu, general.size.hop_size / rate, voice_delay_s(config), config.sss.gain_sep};
 }
 
 }  // namespace

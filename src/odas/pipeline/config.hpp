@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+
 #include "odas/array/config.hpp"
 #include "odas/classification/config.hpp"
 #include "odas/dsp/mcra_config.hpp"
@@ -29,5 +31,13 @@ struct PipelineConfig {
   ClassifyConfig classify;
   Wanted wanted;
 };
+
+/// `sss.lookback` in whole hops, the nearest number.
+[[nodiscard]] std::size_t lookback_hops(const PipelineConfig& config);
+
+/// By how much separated and post-filtered audio comes later than the microphones, s: hop n of the audio
+/// ends with the sound that the microphones heard this long before the end of hop n. For the overlap of the
+/// frames, and for the look-back.
+[[nodiscard]] double voice_delay_s(const PipelineConfig& config);
 
 }  // namespace odas

@@ -10,6 +10,7 @@
 #include "odas/dsp/stft.hpp"
 #include "odas/localization/registry.hpp"
 #include "odas/pipeline/input_guard.hpp"
+#include "odas/pipeline/lookback.hpp"
 #include "odas/separation/registry.hpp"
 #include "odas/tracking/tracker.hpp"
 
@@ -45,6 +46,7 @@ struct Pipeline::Parts {
   // The stages; those that nobody needs are absent
   InputGuard guard;
   Stft stft;
+  LookBack lookback;
   std::optional<Mcra> noise;
   std::unique_ptr<Localizer> localizer;
   std::unique_ptr<Tracker> tracker;
@@ -55,7 +57,6 @@ struct Pipeline::Parts {
 
   // What goes from stage to stage
   HopIndex time = 0;
-  Grid<cfloat> spectra;  // [mic][bin]
   std::vector<Potential> potentials;
   std::vector<Track> tracks;            // [slot]
   Grid<cfloat> beams, filtered;         // [slot][bin]
@@ -70,7 +71,8 @@ Pipeline::Parts::Parts(const PipelineConfig& config)
       sample_rate(config.general.samplerate.mu),
       guard(mics, hop_size),
       stft(mics, hop_size, frame_size),
-      spectra(mics, stft.bins()),
+      lookback(Stages(wanted).beamformer ? odas::lookback_hops(config) : 0, mics, stft.bins(),
+               config.sst.slots()),
       tracks(config.sst.slots()) {
   const Stages stages(wanted);
   if (stages.localizer) {
@@ -110,16 +112,21 @@ HopResult Pipeline::process_hop(GridView<const float> mics) noexcept {
   Parts& p = *parts_;
   ODAS_EXPECT(mics.rows() == p.mics && mics.cols() == p.hop_size);
   ++p.time;
-  p.stft.analyse(p.guard.pass(mics), p.spectra);
-  if (p.noise) p.noise->update(p.spectra);
+  const GridView<cfloat> spectra = p.lookback.begin_hop();
+  p.stft.analyse(p.guard.pass(mics), spectra);
+  if (p.noise) p.noise->update(spectra);
   const GridView<const float> noise_psd = p.noise ? p.noise->psd() : GridView<const float>();
-  if (p.localizer) p.localizer->locate(p.spectra, noise_psd, p.potentials);
+  if (p.localizer) p.localizer->locate(spectra, noise_psd, p.potentials);
   if (p.tracker) p.tracker->update(p.potentials, p.tracks);
-  if (p.beamformer) p.beamformer->separate(p.spectra, p.tracks, p.beams);
+
+  // Voices are heard as they were some hops ago, by what is known now.
+  const GridView<const cfloat> then = p.lookback.spectra();
+  const std::span<const Track> voices = p.lookback.recall(p.tracks);
+  if (p.beamformer) p.beamformer->separate(then, voices, p.beams);
   if (p.separated_istft) p.separated_istft->synthesise(p.beams, p.separated);
   if (p.classifier) p.classifier->classify(p.separated, p.tracks);
   if (p.post_filter) {
-    p.post_filter->apply(p.spectra, noise_psd, p.tracks, *p.beamformer, p.beams, p.filtered);
+    p.post_filter->apply(then, noise_psd, voices, *p.beamformer, p.beams, p.filtered);
     p.postfiltered_istft->synthesise(p.filtered, p.postfiltered);
   }
   return {p.time, p.potentials, p.tracks, p.separated, p.postfiltered};
@@ -137,6 +144,7 @@ void Pipeline::reset() noexcept {
   p.time = 0;
   p.guard.reset();
   p.stft.reset();
+  p.lookback.reset();
   if (p.noise) p.noise->reset();
   if (p.localizer) p.localizer->reset();
   if (p.tracker) p.tracker->reset();
@@ -151,16 +159,19 @@ std::size_t Pipeline::mics() const noexcept { return parts_->mics; }
 std::size_t Pipeline::hop_size() const noexcept { return parts_->hop_size; }
 std::size_t Pipeline::slots() const noexcept { return parts_->slots(); }
 int Pipeline::sample_rate() const noexcept { return parts_->sample_rate; }
+std::size_t Pipeline::lookback_hops() const noexcept { return parts_->lookback.hops(); }
 std::uint64_t Pipeline::non_finite_samples() const noexcept { return parts_->guard.refused(); }
 
 Pipeline::Plan Pipeline::plan() const {
   const Parts& p = *parts_;
   Plan plan;
-  plan.latency_ms = 1000.0 * static_cast<double>(p.frame_size - p.hop_size) / p.sample_rate;
-  plan.memory_bytes = sizeof(float) * (p.mics * (p.frame_size + p.hop_size) +
-                                       2 * p.stft.bins() * (p.mics + p.beams.rows() + p.filtered.rows()) +
-                                       p.slots() * (p.frame_size + p.hop_size) *
-                                           (p.wanted.separated + p.wanted.postfiltered));
+  plan.transform_ms = 1000.0 * static_cast<double>(p.frame_size - p.hop_size) / p.sample_rate;
+  plan.lookback_ms = 1000.0 * static_cast<double>(p.lookback.hops() * p.hop_size) / p.sample_rate;
+  plan.memory_bytes =
+      p.lookback.memory_bytes() +
+      sizeof(float) *
+          (p.mics * (p.frame_size + p.hop_size) + 2 * p.stft.bins() * (p.beams.rows() + p.filtered.rows()) +
+           p.slots() * (p.frame_size + p.hop_size) * (p.wanted.separated + p.wanted.postfiltered));
   if (p.localizer) {
     const LocalizerPlan located = p.localizer->plan();
     plan.pairs = located.pairs;

@@ -22,7 +22,8 @@ struct HopResult {
 /// The whole of hearing, one hop at a time: microphones in, directions, tracks and voices out.
 ///
 /// Shapes: `mics` is [mic][hop] at `general.samplerate.mu`, full scale 1.
-/// Delay: separated audio is `frame_size - hop_size` samples behind the microphones.
+/// Delay: separated audio is `voice_delay_s` behind the microphones: `frame_size - hop_size` samples, and
+/// `sss.lookback`. Potentials and tracks are of the hop itself.
 /// Errors: the constructor throws ConfigError. A non-finite sample counts as silence and is counted.
 class Pipeline {
  public:
@@ -47,6 +48,8 @@ class Pipeline {
   [[nodiscard]] std::size_t hop_size() const noexcept;
   [[nodiscard]] std::size_t slots() const noexcept;
   [[nodiscard]] int sample_rate() const noexcept;
+  /// Hops by which separated audio comes later than potentials and tracks; 0 where there is no such audio.
+  [[nodiscard]] std::size_t lookback_hops() const noexcept;
 
   /// Samples that were not finite since the start, and were taken as silence.
   [[nodiscard]] std::uint64_t non_finite_samples() const noexcept;
@@ -63,7 +66,8 @@ class Pipeline {
     std::vector<Scan> scans;
     std::size_t lags = 0;          // of each cross-correlation, after interpolation
     bool half_sphere = false;      // found by itself, the array being flat
-    double latency_ms = 0;         // of the separated audio
+    double transform_ms = 0;       // delay of the separated audio: by the overlap of the frames
+    double lookback_ms = 0;        // and by the look-back
     std::size_t memory_bytes = 0;  // tables and states, about
   };
   [[nodiscard]] Plan plan() const;

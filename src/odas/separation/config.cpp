@@ -46,6 +46,9 @@ Schema SssConfig::schema() {
   static const std::vector<Field> fields{
       field<&SssConfig::mode_sep>("mode_sep", "", kAny, "beamformer", {"dds", "dgss", "dmvdr"}),
       field<&SssConfig::mode_pf>("mode_pf", "", kAny, "post-filter", {"ms", "ss"}),
+      field<&SssConfig::lookback>("lookback", "ms", {0, 5000},
+                                  "how long before its track was found a voice's audio begins; all "
+                                  "separated audio comes later by as much; 0: none, as ODAS"),
       field<&SssConfig::gain_sep>("gain_sep", "", kAny, "gain of the separated streams, linear"),
       field<&SssConfig::gain_pf>("gain_pf", "", kAny, "gain of the post-filtered streams, linear"),
       ignored_field("dds", "delay-and-sum has no settings"),
