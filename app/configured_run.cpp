@@ -9,6 +9,7 @@
 #include "odas/engine/live.hpp"
 #include "odas/engine/offline.hpp"
 #include "odas/io/registry.hpp"
+#include "odas/io/service_heartbeat.hpp"
 #include "odas/io/target_server.hpp"
 
 namespace odas {
@@ -32,6 +33,8 @@ RunSummary run_configuration(const std::string& file, const ConfiguredRun& how, 
     const auto sinks = make_sinks(config, {.stop = &stop});
     std::vector<Sink*> all;
     for (const auto& sink : sinks) all.push_back(sink.get());
+    const auto heartbeat = ServiceHeartbeat::from_environment();
+    if (heartbeat) all.push_back(heartbeat.get());
 
     TargetInbox inbox;
     std::optional<TargetServer> server;
