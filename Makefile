@@ -12,7 +12,7 @@ export CMAKE_CXX_COMPILER_LAUNCHER ?= ccache
 endif
 export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
 
-.PHONY: all configure demo test check test-asan test-tsan test-arm64 bench install format tidy packages clean help
+.PHONY: all configure demo test check test-asan test-tsan test-arm64 bench deb install format tidy packages clean help
 
 all: configure  ## build the programs and libraries: build/bin/odas, build/bin/odaslive
 	cmake --build build --target programs
@@ -48,6 +48,9 @@ bench:  ## microseconds a hop of each stage, share of real time, instructions, s
 install: all  ## install under PREFIX (/usr/local); DESTDIR is heeded
 	cmake --install build --prefix $(PREFIX)
 
+deb:  ## Debian packages in build/packages, for this machine and for arm64 (make deb ARCH=amd64: one of them)
+	@scripts/deb.sh $(ARCH)
+
 format:  ## lay out all C++ files with clang-format 14
 	@scripts/format.sh --fix
 
@@ -59,7 +62,7 @@ packages:  ## install the Debian packages that a build needs
 	@scripts/install_packages.sh build
 
 clean:  ## remove all builds
-	rm -rf build build-debug build-clang build-asan-ubsan build-tsan build-arm64
+	rm -rf build build-debug build-clang build-asan-ubsan build-tsan build-arm64 build-arm64-programs
 
 help:  ## this list
 	@sed -nE 's/^([a-z0-9 -]+):[^#=]*  ## (.*)/\1\t\2/p' $(MAKEFILE_LIST) | \

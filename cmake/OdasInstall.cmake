@@ -2,6 +2,7 @@
 # make install: libraries with headers as the CMake package odas (odas::core, odas::odas) and for pkg-config
 # (odas_core, odas), programs, array files, man pages and completions.
 include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/odas)
 
 # Two sets of targets: who asks for the core alone need not have the libraries of the rest.
@@ -38,6 +39,7 @@ foreach(room IN LISTS ODAS_ROOMS)
     FILES_MATCHING PATTERN "*.hpp" PATTERN "json_reader.hpp" EXCLUDE PATTERN "report" EXCLUDE)
 endforeach()
 
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME programs)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(ODAS_BUILD_APPS AND NOT ODAS_CORE_ONLY)
   install(TARGETS odas_app odaslive)
@@ -49,4 +51,9 @@ if(ODAS_BUILD_APPS AND NOT ODAS_CORE_ONLY)
   endforeach()
   install(FILES packaging/completions/_odas DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
   install(FILES packaging/completions/odas.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+  # For packages alone: not within the prefix, and none of `make install`.
+  install(FILES packaging/systemd/odas@.service DESTINATION /usr/lib/systemd/system
+    COMPONENT system EXCLUDE_FROM_ALL)
+  install(FILES packaging/debian/README DESTINATION /etc/odas COMPONENT system EXCLUDE_FROM_ALL)
+  install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT system EXCLUDE_FROM_ALL)
 endif()

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # scripts/install_packages.sh [--check] GROUP...: installs the Debian packages that are missing, and says which.
-# Groups: build (programs and libraries), test (all that `make test` needs), bench, arm64 (cross build).
+# Groups: build (programs and libraries), test (all that `make test` needs), bench, arm64 (cross build of the core
+# and its tests), arm64-programs (of all, for make deb).
 # With --check nothing is installed: what is missing is said, exit code 1. When all is there, no network is touched.
 set -euo pipefail
 
@@ -12,6 +13,8 @@ test=(ninja-build libgtest-dev librapidcheck-dev libbenchmark-dev
 bench=(libbenchmark-dev valgrind)
 arm64=(g++-aarch64-linux-gnu qemu-user-static libc6:arm64 libstdc++6:arm64 libfftw3-dev:arm64
        libsamplerate0-dev:arm64 libhwy-dev:arm64 libgtest-dev:arm64 librapidcheck-dev:arm64)
+
+arm64_programs=(libconfig++-dev:arm64 libsndfile1-dev:arm64 libfmt-dev:arm64 dpkg-dev)
 
 say() { echo "packages: $*" >&2; }
 
@@ -24,7 +27,8 @@ for group in "$@"; do
     test) wanted+=("${test[@]}") ;;
     bench) wanted+=("${bench[@]}") ;;
     arm64) wanted+=("${arm64[@]}") ;;
-    *) say "no group '$group': build, test, bench or arm64"; exit 2 ;;
+    arm64-programs) wanted+=("${arm64_programs[@]}") ;;
+    *) say "no group '$group': build, test, bench, arm64 or arm64-programs"; exit 2 ;;
   esac
   [[ $group == --check ]] || groups+=("$group")
 done
