@@ -12,7 +12,7 @@ export CMAKE_CXX_COMPILER_LAUNCHER ?= ccache
 endif
 export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
 
-.PHONY: all configure demo test check test-asan test-tsan test-arm64 bench deb install format tidy packages clean help
+.PHONY: all configure demo test check test-asan test-tsan test-arm64 fuzz soak bench deb install format tidy packages clean help
 
 all: configure  ## build the programs and libraries: build/bin/odas, build/bin/odaslive
 	cmake --build build --target programs
@@ -38,6 +38,14 @@ check:  ## the tests of the release build, and the style: the quick part of `mak
 test-asan test-tsan test-arm64:  ## one part of `make test`: ASan and UBSan, TSan, or arm64 under qemu
 	@scripts/install_packages.sh build test
 	@scripts/test.sh $(@:test-%=%)
+
+fuzz:  ## each fuzzer for an hour (FUZZ_SECONDS=3600)
+	@scripts/install_packages.sh build test
+	@scripts/test.sh fuzz
+
+soak:  ## the long forms of the tests of devices and peers: minutes instead of seconds
+	@scripts/install_packages.sh build test
+	@scripts/test.sh soak
 
 bench:  ## microseconds a hop of each stage, share of real time, instructions, start-up
 	@scripts/install_packages.sh build bench

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# scripts/test.sh PART...: builds and runs parts of `make test`: asan, tsan, arm64, arm64-if-possible, check.
+# scripts/test.sh PART...: builds and runs parts of `make test`: asan, tsan, arm64, arm64-if-possible, check; or the
+# long runs: fuzz, soak.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
@@ -43,6 +44,20 @@ arm64-if-possible() {
   else
     step "SKIPPED: arm64, since its packages cannot be installed here"
   fi
+}
+
+fuzz() {
+  step "fuzzers, ${FUZZ_SECONDS:=3600} s each"
+  cmake --preset asan-ubsan >/dev/null
+  cmake --build build-asan-ubsan
+  scripts/fuzz.sh build-asan-ubsan "$FUZZ_SECONDS"
+}
+
+soak() {
+  step "the long forms of the tests"
+  cmake --preset release -DODAS_BUILD_TESTS=ON >/dev/null
+  cmake --build build
+  ODAS_SOAK=1 run_ctest build -L soak --timeout 3600
 }
 
 check() {
