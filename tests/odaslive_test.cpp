@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // odaslive as those run it who have ODAS in their scripts.
 #include <algorithm>
+#include <cstring>
 
 #include "support/goldens.hpp"
 #include "support/small_run.hpp"
@@ -57,6 +58,31 @@ TEST(Odaslive, writes_the_same_bytes_with_threads_and_without) {
   EXPECT_TRUE(has(threaded[1], "\"tag\": \"dynamic\"")) << "or nothing much is compared";
   ASSERT_EQ(run.odaslive({"-s"}).exit_code, 0);
   for (std::size_t i = 0; i < files.size(); ++i) EXPECT_EQ(run.text(files[i]), threaded[i]) << files[i];
+}
+
+// ODAS wraps what is too loud (its fault B6): the worst of clicks.
+TEST(Odaslive, holds_what_is_too_loud_at_full_scale_and_wraps_no_sample) {
+  SmallRun run;
+  run.record_raw(SmallRun::sound(16000));
+  const auto samples_at = [&](const std::string& gain) {
+    run.separated = R"(interface: { type = "file"; path = "separated.raw"; }; }; gain_sep = )" + gain +
+                    R"(; postfiltered: { interface: { type = "blackhole"; };)";
+    EXPECT_EQ(run.odaslive().exit_code, 0);
+    const std::string bytes = run.text("separated.raw");
+    std::vector<std::int16_t> samples(bytes.size() / 2);
+    std::memcpy(samples.data(), bytes.data(), bytes.size());
+    return samples;
+  };
+  const auto soft = samples_at("0.1");
+  const auto loud = samples_at("10.0");
+  ASSERT_EQ(soft.size(), loud.size());
+  std::size_t held = 0;
+  for (std::size_t n = 0; n < soft.size(); ++n) {
+    const double meant = 100.0 * soft[n];
+    ASSERT_NEAR(loud[n], std::clamp(meant, -32768.0, 32767.0), 51) << n;
+    held += std::abs(meant) > 33000 ? 1U : 0U;
+  }
+  EXPECT_GT(held, 1000U) << "or nothing was too loud";
 }
 
 TEST(Odaslive, writes_the_potentials_that_odas_wrote) {

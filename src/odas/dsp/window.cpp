@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "odas/dsp/window.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -20,11 +21,12 @@ std::vector<float> synthesis_window(const std::vector<float>& analysis, std::siz
   for (std::size_t n = 0; n < analysis.size(); ++n) {
     sum[n % hop_size] += static_cast<double>(analysis[n]) * static_cast<double>(analysis[n]);
   }
-  constexpr double kNothingLeft = 1e-6;
+  // Where frames hardly overlap, what the window took away is not brought back in full: that would blow up
+  // what a changed spectrum leaves at the ends of a frame.
+  constexpr double kLeast = 0.5;
   std::vector<float> window(analysis.size());
   for (std::size_t n = 0; n < analysis.size(); ++n) {
-    const double total = sum[n % hop_size];
-    window[n] = total > kNothingLeft ? static_cast<float>(static_cast<double>(analysis[n]) / total) : 0;
+    window[n] = static_cast<float>(static_cast<double>(analysis[n]) / std::max(sum[n % hop_size], kLeast));
   }
   return window;
 }
