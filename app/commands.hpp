@@ -14,6 +14,7 @@ struct ExitCode {
   int code;
 };
 
+void add_arrays(CLI::App& app);
 void add_check(CLI::App& app);
 void add_live(CLI::App& app);
 void add_run(CLI::App& app);

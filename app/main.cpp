@@ -13,8 +13,8 @@ namespace {
 constexpr int kRunTimeFailure = 1;
 constexpr int kWrongUsage = 2;
 
-constexpr std::array kCommands{odas::add_run,   odas::add_live,  odas::add_simulate,
-                               odas::add_score, odas::add_check, odas::add_targets};
+constexpr std::array kCommands{odas::add_run,     odas::add_live,     odas::add_arrays, odas::add_check,
+                               odas::add_targets, odas::add_simulate, odas::add_score};
 
 int run(int argc, char** argv) {
   CLI::App app("odas: artificial hearing for machines", "odas");
@@ -24,8 +24,8 @@ int run(int argc, char** argv) {
   app.footer(
       "'odas COMMAND --help' tells more of each.\n\n"
       "Examples:\n"
-      "  odas check configs/respeaker_usb_4_mic.cfg\n"
-      "  odas run samples/sample_4mic.flac -c configs/sample.cfg -o out\n\n"
+      "  odas live respeaker_usb_4_mic\n"
+      "  odas run samples/sample_4mic.flac -c sample -o out\n\n"
       "Exit codes: 0 the input ended, or Ctrl-C; 1 something failed; 2 wrong usage or configuration.");
   for (const auto add : kCommands) add(app);
   try {

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "odas/base/error.hpp"
+#include "odas/config/array_library.hpp"
 #include "odas/config/reader.hpp"
 #include "odas/engine/offline.hpp"
 #include "odas/io/recording.hpp"
@@ -141,7 +142,7 @@ void tell(const RunFacts& facts, const RunSummary& summary, const ReportSink& re
 }
 
 void run(const Arguments& arguments) {
-  LoadedConfiguration loaded = load_configuration(arguments.config);
+  LoadedConfiguration loaded = load_configuration(find_configuration(arguments.config));
   RunFacts facts;
   for (const Fault& fault : loaded.faults) {
     std::fprintf(stderr, "%s\n", to_string(fault).c_str());
@@ -191,7 +192,9 @@ void add_run(CLI::App& app) {
                    "WAV, FLAC, or headerless as `raw` of the configuration says")
       ->type_name("")
       ->required();
-  command->add_option("-c,--config", arguments->config, "Configuration of the microphone array")
+  command
+      ->add_option("-c,--config", arguments->config,
+                   "Configuration of the microphone array: a file, or its name")
       ->type_name("FILE")
       ->required();
   command->add_option("-o,--out", arguments->out, "Folder for the results; made where it is absent")
@@ -208,7 +211,7 @@ void add_run(CLI::App& app) {
       "  microphone_1.wav   the first microphone, to compare\n"
       "and prints who was where. Files of an earlier run in the folder are replaced.\n\n"
       "Examples:\n"
-      "  odas run meeting.wav -c configs/respeaker_usb_4_mic.cfg -o meeting\n"
+      "  odas run meeting.wav -c respeaker_usb_4_mic -o meeting\n"
       "  odas run capture.raw -c my_array.cfg -o out --odas-files");
   command->callback([arguments] { run(*arguments); });
 }

@@ -35,12 +35,28 @@ class CheckCommand : public ::testing::Test {
 
 TEST_F(CheckCommand, prints_the_plan_of_every_array_file_and_nothing_else) {
   for (const auto& entry : fs::directory_iterator(fs::path(ODAS_SOURCE_DIR) / "configs")) {
+    if (entry.is_directory()) continue;
     const auto run = check(entry.path().string());
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_EQ(run.err, "");
     for (const char* piece : {"Array\n", "Search\n", "Time\n", "Ways\n", "hear a common direction", "MiB"}) {
       EXPECT_NE(run.out.find(piece), std::string::npos) << entry.path() << piece;
     }
+  }
+}
+
+TEST_F(CheckCommand, finds_an_array_by_its_name) {
+  const auto run = check("minidsp_uma8");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("microphones     7"), std::string::npos) << run.out;
+}
+
+TEST_F(CheckCommand, names_the_arrays_that_there_are_where_a_name_is_wrong) {
+  const auto run = check("respeeker_usb_4_mic");
+  EXPECT_EQ(run.exit_code, 2);
+  for (const char* piece :
+       {"did you mean \"respeaker_usb_4_mic\"?", "There are: azimut3_closed_16 ", " t_top "}) {
+    EXPECT_NE(run.err.find(piece), std::string::npos) << run.err;
   }
 }
 

@@ -1,6 +1,13 @@
 # SPDX-License-Identifier: MIT
 # bash completion of odas and odaslive
 
+# Arrays by name, and files.
+_odas_configurations() {
+  compopt -o filenames
+  mapfile -t COMPREPLY < <(compgen -W "$(odas arrays 2>/dev/null | cut -d ' ' -f 1)" -- "$1"
+    compgen -f -X '!*.cfg' -- "$1"; compgen -d -- "$1")
+}
+
 _odas() {
   local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} command='' word options
   COMPREPLY=()
@@ -8,13 +15,14 @@ _odas() {
     if [[ $word != -* ]]; then command=$word; break; fi
   done
   case $prev in
-    -c | --config) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -f -X '!*.cfg' -- "$cur"; compgen -d -- "$cur"); return ;;
+    -c | --config) _odas_configurations "$cur"; return ;;
     -o | --out) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -d -- "$cur"); return ;;
   esac
   case $command in
-    '') options='run live simulate score targets check -h --help --version' ;;
+    '') options='run live arrays check targets simulate score -h --help --version' ;;
     run) options='-h --help -c --config -o --out --odas-files' ;;
     live) options='-h --help -c --config -v --verbose' ;;
+    arrays) options='-h --help -p --paths' ;;
     simulate) options='-h --help -o --out --flac' ;;
     score) options='-h --help --json' ;;
     targets) options='-h --help --add --remove --set --clear --token' ;;
@@ -23,7 +31,9 @@ _odas() {
   esac
   if [[ $cur == -* || -z $command ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$cur")
-  elif [[ $command != live && $command != targets ]]; then
+  elif [[ $command == live || $command == check ]]; then
+    _odas_configurations "$cur"
+  elif [[ $command != arrays && $command != targets ]]; then
     compopt -o filenames
     mapfile -t COMPREPLY < <(compgen -f -- "$cur")
   fi

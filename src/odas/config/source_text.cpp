@@ -8,6 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "odas/config/array_library.hpp"
+
 namespace odas {
 
 namespace fs = std::filesystem;
@@ -80,6 +82,18 @@ std::string safe_number(const std::string& token) {
   return hex ? std::to_string(value) : digits + ".0";
 }
 
+/// Beside the including file, in the working directory, or with the arrays that come with the program, so
+/// that a copy of one of these finds what it includes. Where there is none, beside the including file.
+fs::path find_included(const fs::path& beside, const std::string& name) {
+  std::vector<fs::path> folders{beside, {}};
+  for (fs::path& folder : array_folders()) folders.push_back(std::move(folder));
+  for (const fs::path& folder : folders) {
+    std::error_code error;
+    if (fs::exists(folder / name, error)) return folder / name;
+  }
+  return beside / name;
+}
+
 }  // namespace
 
 /// Walks over the text as libconfig's own scanner does: strings, comments, brackets, numbers.
@@ -142,9 +156,7 @@ class SourceScanner {
     if (depth >= kMaxIncludes) {
       return fault(here, "\"" + name + "\" is included too deep: do the files include each other?");
     }
-    fs::path path = fs::path(here.file).parent_path() / name;
-    std::error_code error;
-    if (!fs::exists(path, error) && fs::exists(name, error)) path = name;
+    const fs::path path = find_included(fs::path(here.file).parent_path(), name);
     std::string why;
     const auto bytes = read_bytes(path, why);
     if (!bytes) return fault(here, "@include \"" + path.string() + "\": " + why);

@@ -18,7 +18,7 @@ struct Location {
 
 /// The text of a configuration, made ready for libconfig, which has habits of its own:
 /// - an `@include` of a folder ends the program: the files are put in here, looked for beside the including
-///   file first and in the working directory then;
+///   file first, in the working directory then, and last where arrays are found by name (array_library.hpp);
 /// - the numbers of an array `[]` must be all whole or all not: arrays are written as lists `()`;
 /// - whole numbers beyond 32 bits are cut without a word: they are written as floats.
 /// Lines keep their number. Faults found on the way (files that cannot be read, brackets that do not match)

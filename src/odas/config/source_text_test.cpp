@@ -103,6 +103,14 @@ TEST_F(SourceFiles, puts_included_files_in_and_keeps_their_lines) {
   EXPECT_EQ(source.excerpt(4), "b = 2;");
 }
 
+TEST_F(SourceFiles, find_what_a_copied_array_file_includes) {
+  const fs::path copy = write("copy.cfg", "@include \"common/hearing.cfg\"\n");
+  std::vector<Fault> faults;
+  const SourceText source = SourceText::from_file(copy, faults);
+  EXPECT_TRUE(faults.empty()) << to_string(faults.front());
+  EXPECT_NE(source.text().find("weighting"), std::string::npos);
+}
+
 TEST_F(SourceFiles, say_at_the_including_line_what_cannot_be_included) {
   const fs::path main = write("main.cfg", "\n@include \"nowhere.cfg\"\n@include \"parts\"\n");
   std::vector<Fault> faults;
