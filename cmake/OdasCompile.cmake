@@ -20,11 +20,15 @@ if(ODAS_SANITIZE)
 endif()
 
 # odas_room(NAME [LIBRARIES ...]): one room of src/odas: an object library of its .cpp files, and, where
-# there are x_test.cpp files beside them, the test program NAME_test.
+# there are x_test.cpp files beside them, the test program NAME_test. WITHOUT: regular expression of files that
+# are left out.
 function(odas_room name)
-  cmake_parse_arguments(ARG "" "" "LIBRARIES;TEST_LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "WITHOUT" "LIBRARIES;TEST_LIBRARIES" ${ARGN})
   set(dir ${CMAKE_CURRENT_SOURCE_DIR}/${name})
   file(GLOB sources CONFIGURE_DEPENDS ${dir}/*.cpp)
+  if(ARG_WITHOUT)
+    list(FILTER sources EXCLUDE REGEX "${ARG_WITHOUT}")
+  endif()
   set(tests ${sources})
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
   list(FILTER sources EXCLUDE REGEX "_(test|bench)\\.cpp$")

@@ -7,9 +7,10 @@
 set -euo pipefail
 
 build=(g++ cmake make pkg-config libfftw3-dev libsamplerate0-dev libhwy-dev libconfig++-dev
-       libsndfile1-dev libfmt-dev libcli11-dev nlohmann-json3-dev)
+       libsndfile1-dev libasound2-dev libpulse-dev libfmt-dev libcli11-dev nlohmann-json3-dev)
 test=(ninja-build libgtest-dev librapidcheck-dev libbenchmark-dev
-      clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-19)
+      clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-19
+      libasound2-plugins pulseaudio pulseaudio-utils netcat-openbsd)
 bench=(libbenchmark-dev valgrind)
 arm64=(g++-aarch64-linux-gnu qemu-user-static libc6:arm64 libstdc++6:arm64 libfftw3-dev:arm64
        libsamplerate0-dev:arm64 libhwy-dev:arm64 libgtest-dev:arm64 librapidcheck-dev:arm64)

@@ -73,6 +73,43 @@ class MemorySource : public AudioSource {
   std::size_t at_ = 0;
 };
 
+/// Plays from memory but for the frames of its gaps, which it says are lost.
+class GappySource : public AudioSource {
+ public:
+  struct Gap {
+    std::size_t begin, frames;
+  };
+  GappySource(Grid<float> samples, std::vector<Gap> gaps, int sample_rate = 16000)
+      : samples_(std::move(samples)), gaps_(std::move(gaps)), sample_rate_(sample_rate) {}
+
+  [[nodiscard]] std::size_t channels() const noexcept override { return samples_.rows(); }
+  [[nodiscard]] int sample_rate() const noexcept override { return sample_rate_; }
+  [[nodiscard]] bool live() const noexcept override { return false; }
+  [[nodiscard]] ReadResult read(GridView<float> block) override {
+    ReadResult result;
+    if (next_ < gaps_.size() && at_ == gaps_[next_].begin) {
+      result.lost = gaps_[next_].frames;
+      at_ += gaps_[next_].frames;
+      ++next_;
+    }
+    const std::size_t until = next_ < gaps_.size() ? gaps_[next_].begin : samples_.cols();
+    result.frames = std::min(block.cols(), until - at_);
+    for (std::size_t c = 0; c < samples_.rows(); ++c) {
+      std::copy_n(samples_[c].data() + at_, result.frames, block[c].data());
+    }
+    at_ += result.frames;
+    result.end = at_ == samples_.cols();
+    return result;
+  }
+
+ private:
+  Grid<float> samples_;
+  std::vector<Gap> gaps_;
+  int sample_rate_;
+  std::size_t at_ = 0;
+  std::size_t next_ = 0;
+};
+
 /// Keeps all that it is given.
 class KeepingSink : public Sink {
  public:

@@ -46,7 +46,9 @@ void check_listener(const std::string& path, const InterfaceConfig& interface, C
 
 void check_source(const Configuration& config, CheckReport& report) {
   const InterfaceConfig& interface = config.raw.interface;
+  check_interface("raw.record.interface", config.raw.record.interface, report);
   if (!check_interface("raw.interface", interface, report)) return;
+  check_listener("raw.interface", interface, report);
   const std::size_t names = interface.channelmap.size();
   if (interface.type == "pulseaudio" && names > 0 && report.sound("raw.nChannels") &&
       report.sound("raw.interface.channelmap") && names != static_cast<std::size_t>(config.raw.n_channels)) {
@@ -81,8 +83,9 @@ void check_audio(const std::string& path, const InterfaceConfig& interface, Chec
 
 /// Two writers of one file would spoil it.
 void check_paths(const Configuration& config, CheckReport& report) {
-  const std::array<std::pair<const char*, const InterfaceConfig*>, 6> all{{
+  const std::array<std::pair<const char*, const InterfaceConfig*>, 7> all{{
       {"raw.interface", &config.raw.interface},
+      {"raw.record.interface", &config.raw.record.interface},
       {"ssl.potential.interface", &config.potential.interface},
       {"sst.tracked.interface", &config.tracked.interface},
       {"sss.separated.interface", &config.separated.interface},

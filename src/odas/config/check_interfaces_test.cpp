@@ -33,6 +33,39 @@ TEST(CheckInterfaces, want_what_the_kind_of_source_needs) {
   EXPECT_TRUE(clean(with_source(R"(type = "pulseaudio"; source = "mic"; channelmap = ("left", "right");)")));
 }
 
+TEST(CheckInterfaces, want_a_token_of_a_sender_from_beyond_this_machine) {
+  EXPECT_TRUE(clean(with_source(R"(type = "stdin";)")));
+  EXPECT_TRUE(clean(with_source(R"(type = "socket_listen"; port = 9000;)")));
+  EXPECT_TRUE(errs(with_source(R"(type = "socket_listen";)"), "raw.interface.port", "is missing"));
+  EXPECT_TRUE(errs(with_source(R"(type = "socket_listen"; ip = "0.0.0.0"; port = 9000;)"),
+                   "raw.interface.token", "is missing"));
+  EXPECT_TRUE(
+      clean(with_source(R"(type = "socket_listen"; ip = "0.0.0.0"; port = 9000; token = "secret";)")));
+}
+
+TEST(CheckInterfaces, take_the_formats_of_samples_by_their_names_in_ALSA) {
+  const auto with_format = [](const std::string& format) {
+    return read_changed("nChannels = 2;", "nChannels = 2; format = \"" + format + "\";");
+  };
+  for (const char* format : {"auto", "S8", "U8", "S16_LE", "S24_LE", "S24_3LE", "S32_LE", "FLOAT_LE"}) {
+    EXPECT_TRUE(clean(with_format(format))) << format;
+  }
+  EXPECT_TRUE(errs(with_format("S24"), "raw.format", "must be"));
+}
+
+TEST(CheckInterfaces, keep_the_microphones_in_a_file_of_its_own) {
+  const auto recording = [](const std::string& interface, const std::string& from = "a.raw") {
+    return read_changed("nChannels = 2;", "nChannels = 2; interface: { type = \"file\"; path = \"" + from +
+                                              "\"; }; record: { interface: { " + interface + " }; };");
+  };
+  EXPECT_TRUE(clean(recording(R"(type = "file"; path = "mics.wav";)")));
+  EXPECT_TRUE(errs(recording(R"(type = "file";)"), "raw.record.interface.path", "is missing"));
+  EXPECT_TRUE(errs(recording(R"(type = "file"; path = "mics.wav";)", "mics.wav"), "raw.record.interface.path",
+                   "the file of raw.interface already"));
+  EXPECT_TRUE(errs(recording(R"(type = "socket"; ip = "127.0.0.1"; port = 1;)"), "raw.record.interface.type",
+                   "must be"));
+}
+
 TEST(CheckInterfaces, want_one_position_for_each_channel_of_pulseaudio) {
   EXPECT_TRUE(errs(with_source(R"(type = "pulseaudio"; source = "mic"; channelmap = ("left");)"),
                    "raw.interface.channelmap", "has 1 names, but raw.nChannels is 2"));

@@ -15,6 +15,11 @@ struct ReadResult {
   std::size_t frames = 0;  // delivered: columns 0 .. frames-1 of the block
   bool end = false;        // there is no more after these
   IoStatus status;         // why it ended, if not by itself; then `end` is true
+  /// Frames that were lost before these: an overrun, a device that was unplugged, a peer that was away. The
+  /// time stamps go on as if they had been there.
+  std::uint64_t lost = 0;
+  /// What a user should know at once: "hw:CARD=Array was unplugged; waiting for it". Rare.
+  std::string notice{};
 };
 
 /// Where the microphones come from: a file, a sound card, a socket. Full scale is 1.

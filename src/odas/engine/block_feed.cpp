@@ -14,7 +14,7 @@ void BlockFeed::warn(std::string warning) {
   summary_.warnings.push_back(std::move(warning));
 }
 
-std::optional<std::size_t> BlockFeed::next(GridView<float> block, bool cancelled) {
+std::optional<BlockFeed::Block> BlockFeed::next(GridView<float> block, bool cancelled) {
   if (over_ || cancelled) return std::nullopt;
   if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) {
     summary_.end = RunSummary::End::stopped;
@@ -22,7 +22,7 @@ std::optional<std::size_t> BlockFeed::next(GridView<float> block, bool cancelled
   }
   if (std::exchange(first_, false) && options_.silent_first_block) {
     for (std::size_t c = 0; c < block.rows(); ++c) std::fill(block[c].begin(), block[c].end(), 0.0F);
-    return block.cols();
+    return Block{block.cols(), 0};
   }
   ReadResult read;
   try {
@@ -32,6 +32,7 @@ std::optional<std::size_t> BlockFeed::next(GridView<float> block, bool cancelled
     read.status = IoStatus::failed(error.what());
   }
   over_ = read.end;
+  if (!read.notice.empty() && options_.notice) options_.notice(read.notice);
   if (!read.status.ok()) {
     summary_.end = RunSummary::End::source_failed;
     summary_.fault = read.status.what();
@@ -41,9 +42,10 @@ std::optional<std::size_t> BlockFeed::next(GridView<float> block, bool cancelled
     if (read.frames < block.cols() && !options_.pad_last_block) read.frames = 0;
   }
   summary_.frames += read.frames;
+  summary_.metrics.lost_frames += read.lost;
   if (options_.progress) options_.progress(summary_.frames, source_.total_frames());
-  if (over_ && read.frames == 0) return std::nullopt;
-  return read.frames;
+  if (over_ && read.frames == 0 && read.lost == 0) return std::nullopt;
+  return Block{read.frames, read.lost};
 }
 
 }  // namespace odas

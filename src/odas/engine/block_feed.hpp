@@ -12,12 +12,16 @@ namespace odas {
 /// ends, and why. Shared by the run with threads and the one without, so that both see the same.
 class BlockFeed {
  public:
-  /// Fills in `frames`, `end`, `fault` and `warnings` of the summary.
+  /// Fills in `frames`, `end`, `fault`, `warnings` and `metrics.lost_frames` of the summary.
   BlockFeed(AudioSource& source, const RunOptions& options, RunSummary& summary);
 
-  /// Fills `block` [channel][frame] and gives how many frames (a live source may give none for now), or
-  /// nothing when the run is over. `cancelled`: something else has failed.
-  [[nodiscard]] std::optional<std::size_t> next(GridView<float> block, bool cancelled = false);
+  struct Block {
+    std::size_t frames = 0;  // a live source may give none for now
+    std::uint64_t lost = 0;  // frames lost before these
+  };
+  /// Fills `block` [channel][frame] and says with how much, or gives nothing when the run is over.
+  /// `cancelled`: something else has failed.
+  [[nodiscard]] std::optional<Block> next(GridView<float> block, bool cancelled = false);
 
   /// Tells a warning at once and keeps it for the summary.
   void warn(std::string warning);

@@ -12,7 +12,7 @@ std::vector<std::size_t> blocks(test::MemorySource& source, const RunOptions& op
   BlockFeed feed(source, options, summary);
   Grid<float> block(1, 100);
   std::vector<std::size_t> sizes;
-  while (const auto frames = feed.next(block)) sizes.push_back(*frames);
+  while (const auto fed = feed.next(block)) sizes.push_back(fed->frames);
   return sizes;
 }
 
@@ -36,12 +36,12 @@ TEST(BlockFeed, begins_with_a_silent_block_and_drops_a_short_one_as_odas_does) {
   BlockFeed feed(source, options, summary);
   Grid<float> block(1, 100);
   block.fill(1);
-  ASSERT_EQ(feed.next(block), 100U);
+  ASSERT_EQ(feed.next(block)->frames, 100U);
   for (const float x : block[0]) EXPECT_EQ(x, 0);
-  EXPECT_EQ(feed.next(block), 100U);
+  EXPECT_EQ(feed.next(block)->frames, 100U);
   EXPECT_NE(block[0][0], 0);
-  EXPECT_EQ(feed.next(block), 100U);
-  EXPECT_EQ(feed.next(block), std::nullopt);
+  EXPECT_EQ(feed.next(block)->frames, 100U);
+  EXPECT_FALSE(feed.next(block));
   EXPECT_EQ(summary.frames, 200U);
 }
 
@@ -82,6 +82,30 @@ TEST(BlockFeed, keeps_what_came_before_a_failure_and_says_it) {
   EXPECT_EQ(summary.end, RunSummary::End::source_failed);
   EXPECT_EQ(summary.fault, "the card was pulled out");
   EXPECT_EQ(summary.exit_code(), 1);
+}
+
+TEST(BlockFeed, counts_what_the_source_has_lost_and_tells_what_it_has_to_say) {
+  struct Returning : test::MemorySource {
+    using MemorySource::MemorySource;
+    ReadResult read(GridView<float> block) override {
+      ReadResult result = MemorySource::read(block);
+      result.lost = 7;
+      result.notice = "it is back";
+      return result;
+    }
+  } source(test::noise(1, 150));
+  std::vector<std::string> told;
+  RunOptions options;
+  options.notice = [&](const std::string& notice) { told.push_back(notice); };
+  RunSummary summary;
+  BlockFeed feed(source, options, summary);
+  Grid<float> block(1, 100);
+  EXPECT_EQ(feed.next(block)->lost, 7U);
+  EXPECT_EQ(feed.next(block)->lost, 7U);
+  EXPECT_EQ(summary.metrics.lost_frames, 14U);
+  EXPECT_EQ(summary.frames, 150U);
+  EXPECT_EQ(told, (std::vector<std::string>{"it is back", "it is back"}));
+  EXPECT_TRUE(summary.warnings.empty());
 }
 
 TEST(BlockFeed, takes_an_exception_of_a_source_as_its_failure) {

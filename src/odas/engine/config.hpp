@@ -20,9 +20,18 @@ struct InterfaceConfig {
   std::string devicename;               // soundcard_name: ALSA PCM name
   std::string source;                   // pulseaudio
   std::vector<std::string> channelmap;  // pulseaudio
+  bool paced = false;                   // file, as source: as fast as it was recorded
+  bool reconnect = false;               // sockets, as source: a peer that closes is waited for
   static Schema schema();               // of a source
+  static Schema record_schema();
   static Schema sink_schema();
   static Schema control_schema();
+};
+
+/// A copy of the microphones as they come: `raw.record`.
+struct RecordConfig {
+  InterfaceConfig interface;
+  static Schema schema();
 };
 
 /// The microphones as they come: section `raw`.
@@ -30,8 +39,10 @@ struct RawConfig {
   int fs = 16000;
   int hop_size = 128;
   int n_bits = 16;
+  std::string format;  // "": as n_bits says
   int n_channels = 0;
   InterfaceConfig interface;
+  RecordConfig record;
   static Schema schema();
 };
 

@@ -3,9 +3,21 @@
 
 namespace odas {
 
+namespace {
+
+/// Until nothing of the sound before a gap is left in frames, overlaps and filters.
+std::uint64_t run_out_hops(const Configuration& config) {
+  const auto& size = config.pipeline.general.size;
+  return static_cast<std::uint64_t>(size.frame_size / size.hop_size) + 2;
+}
+
+}  // namespace
+
 HopLoop::HopLoop(const Configuration& config, std::size_t channels, int source_rate, Pipeline& pipeline,
                  TargetInbox* targets)
     : front_end_(config, channels, source_rate),
+      gaps_(source_rate, pipeline.sample_rate(), pipeline.hop_size(), run_out_hops(config)),
+      silence_(channels, front_end_.block_size()),
       pipeline_(pipeline),
       targets_(targets),
       hop_(pipeline.mics(), pipeline.hop_size()) {
@@ -15,6 +27,7 @@ HopLoop::HopLoop(const Configuration& config, std::size_t channels, int source_r
 Metrics HopLoop::metrics() const noexcept {
   Metrics metrics;
   metrics.hops = hops_;
+  metrics.skipped_hops = skipped_hops_;
   metrics.hop_time = hop_time_;
   metrics.sound_seconds = static_cast<double>(hops_) * static_cast<double>(pipeline_.hop_size()) /
                           static_cast<double>(pipeline_.sample_rate());

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 
 #include "odas/engine/front_end.hpp"
+#include "odas/engine/gap_plan.hpp"
 #include "odas/engine/metrics.hpp"
 #include "odas/engine/target_inbox.hpp"
 #include "odas/pipeline/pipeline.hpp"
@@ -24,6 +26,19 @@ class HopLoop {
   void push(GridView<const float> block, Take&& take) {
     front_end_.push(block);
     while (front_end_.pop(hop_)) take(process());
+  }
+  /// `lost` frames of the source are missing here: what the pipeline holds runs out into silence, and `time`
+  /// steps over the rest, so that later hops have the stamps that they would have had.
+  template <class Take>
+  void skip(std::uint64_t lost, Take&& take) {
+    const GapPlan::Step step = gaps_.bridge(lost);
+    for (std::uint64_t left = step.silence; left > 0;) {
+      const auto n = static_cast<std::size_t>(std::min<std::uint64_t>(left, silence_.cols()));
+      push(GridView<const float>(silence_.data(), silence_.rows(), n, silence_.cols()), take);
+      left -= n;
+    }
+    pipeline_.skip_hops(step.hops);
+    skipped_hops_ += step.hops;
   }
   /// The input has ended; a last hop is filled up with silence if `pad`. With a look-back, hops of silence
   /// follow until the last sound has come out.
@@ -54,11 +69,14 @@ class HopLoop {
   }
 
   FrontEnd front_end_;
+  GapPlan gaps_;
+  Grid<float> silence_;  // [channel][raw hop]
   Pipeline& pipeline_;
   TargetInbox* targets_;
   Grid<float> hop_;  // [mic][hop]
   TimeHistogram hop_time_;
   std::uint64_t hops_ = 0;
+  std::uint64_t skipped_hops_ = 0;
 };
 
 }  // namespace odas

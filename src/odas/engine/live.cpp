@@ -4,6 +4,7 @@
 #include <csignal>
 #include <deque>
 #include <thread>
+#include <utility>
 
 #include "odas/base/spsc_queue.hpp"
 #include "odas/engine/denormals.hpp"
@@ -20,6 +21,7 @@ constexpr std::size_t kQueueLength = 64;
 struct Block {
   Grid<float> samples;  // [channel][raw hop]
   std::size_t frames = 0;
+  std::uint64_t lost = 0;  // frames before these
   bool end = false;
 };
 
@@ -113,6 +115,7 @@ void run_engine(SpscQueue<Block>& inbox, HopLoop& loop, Outbox& outbox, bool pad
   for (bool end = false; !end;) {
     const Block& block = inbox.wait_front();
     const Grid<float>& samples = block.samples;
+    if (block.lost > 0) loop.skip(block.lost, send);
     loop.push(GridView<const float>(samples.data(), samples.rows(), block.frames, samples.cols()), send);
     end = block.end;
     inbox.pop();
@@ -143,26 +146,30 @@ RunSummary run_live(AudioSource& source, const Configuration& config, Pipeline& 
   }
 
   Block spare = {Grid<float>(source.channels(), static_cast<std::size_t>(config.raw.hop_size))};
+  std::uint64_t lost = 0;  // frames that the engine has not been told of yet
   for (bool over = false; !over;) {
     Block* block = source.live() ? inbox.begin_push() : &inbox.wait_push();
     Block& target = block != nullptr ? *block : spare;
-    const auto frames = feed.next(target.samples, group.failed());
-    over = !frames;
+    const auto fed = feed.next(target.samples, group.failed());
+    over = !fed;
+    const std::size_t frames = fed ? fed->frames : 0;
+    if (fed) lost += fed->lost;
+    if (block == nullptr && over) block = &inbox.wait_push();
     if (block == nullptr) {
-      if (over) {
-        block = &inbox.wait_push();
-      } else if (*frames > 0) {
-        ++summary.metrics.overruns;
-        continue;
-      } else {
-        continue;
-      }
+      if (frames > 0) ++summary.metrics.overruns;
+      summary.metrics.lost_frames += frames;
+      lost += frames;
+      continue;
     }
-    block->frames = frames.value_or(0);
+    if (!over && frames == 0 && lost == 0) {
+      outbox.ring();  // so that what is written is flushed in time
+      continue;
+    }
+    block->frames = frames;
+    block->lost = std::exchange(lost, 0);
     block->end = over;
-    if (over || block->frames > 0) inbox.end_push();
-    if (!over && block->frames == 0) outbox.ring();  // so that what is written is flushed in time
-    watch.passed(block->frames);
+    inbox.end_push();
+    watch.passed(frames);
   }
   engine.join();
   writer.join();

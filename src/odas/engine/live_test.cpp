@@ -106,7 +106,8 @@ TEST(RunLive, drops_and_counts_hops_of_a_live_source_that_a_sink_is_too_slow_for
   const RunSummary summary = run_with(run_live, source, sink);
   EXPECT_GT(summary.metrics.dropped_hops, 0U);
   EXPECT_EQ(sink.hops.size() + summary.metrics.dropped_hops, summary.metrics.hops);
-  EXPECT_EQ(summary.metrics.hops + summary.metrics.overruns, 400U);
+  EXPECT_EQ(summary.metrics.hops + summary.metrics.skipped_hops, 400U) << "time does not slip";
+  EXPECT_EQ(summary.metrics.lost_frames, 128 * summary.metrics.overruns);
   for (std::size_t i = 1; i < sink.hops.size(); ++i) EXPECT_GT(sink.hops[i].time, sink.hops[i - 1].time);
 }
 
@@ -147,6 +148,23 @@ TEST(RunLive, tells_of_a_dead_microphone) {
   test::KeepingSink sink;
   EXPECT_EQ(run_with(run_live, source, sink).warnings,
             std::vector<std::string>{"microphone 2 (channel 2) is silent"});
+}
+
+TEST(RunLive, steps_over_what_the_source_has_lost_as_the_run_without_threads) {
+  const std::vector<test::GappySource::Gap> gaps{{1000, 77}, {5000, 20001}, {30000, 128}};
+  test::GappySource a(sound(40000), gaps);
+  test::GappySource b(sound(40000), gaps);
+  test::KeepingSink threaded;
+  test::KeepingSink sequential;
+  const RunSummary x = run_with(run_live, a, threaded);
+  const RunSummary y = run_with(run_offline, b, sequential);
+  EXPECT_EQ(x.metrics.hops + x.metrics.skipped_hops, 313U) << "40000 frames";
+  EXPECT_EQ(x.metrics.lost_frames, y.metrics.lost_frames);
+  ASSERT_EQ(threaded.hops.size(), sequential.hops.size());
+  for (std::size_t i = 0; i < threaded.hops.size(); ++i) {
+    ASSERT_EQ(threaded.hops[i].time, sequential.hops[i].time);
+    ASSERT_TRUE(same_bits(threaded.hops[i].separated, sequential.hops[i].separated)) << i;
+  }
 }
 
 }  // namespace

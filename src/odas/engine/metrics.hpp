@@ -32,6 +32,8 @@ struct Metrics {
   TimeHistogram hop_time;                // of the engine's thread
   std::uint64_t dropped_hops = 0;        // that a sink was too slow for
   std::uint64_t overruns = 0;            // blocks of a live source that the engine was too slow for
+  std::uint64_t lost_frames = 0;         // of the source, in these blocks and before they reached us
+  std::uint64_t skipped_hops = 0;        // stamps without a hop, for what was lost
   std::uint64_t clipped_samples = 0;     // of the output
   std::uint64_t non_finite_samples = 0;  // of the input, taken as silence
 

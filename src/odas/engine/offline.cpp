@@ -20,10 +20,11 @@ RunSummary run_offline(AudioSource& source, const Configuration& config, Pipelin
 
   const auto write = [&](const HopResult& hop) { group.write_all(hop); };
   Grid<float> block(source.channels(), static_cast<std::size_t>(config.raw.hop_size));
-  while (const auto frames = feed.next(block, group.failed())) {
-    loop.push(GridView<const float>(block.data(), block.rows(), *frames, block.cols()), write);
+  while (const auto fed = feed.next(block, group.failed())) {
+    if (fed->lost > 0) loop.skip(fed->lost, write);
+    loop.push(GridView<const float>(block.data(), block.rows(), fed->frames, block.cols()), write);
     group.flush_in_time();
-    watch.passed(*frames);
+    watch.passed(fed->frames);
   }
   loop.finish(options.pad_last_block, write);
   group.close();

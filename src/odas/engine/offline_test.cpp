@@ -69,5 +69,48 @@ TEST(RunOffline, refuses_a_source_without_the_channels_of_the_map) {
   EXPECT_THROW(run(), ConfigError);
 }
 
+/// A talker who begins after what was lost, and the first stamp at which anything is heard again.
+struct AfterGaps {
+  static constexpr std::size_t kFrames = 60000, kFirst = 20000, kReturn = 50000;
+  std::vector<test::GappySource::Gap> gaps{
+      {kFirst, 1}, {kFirst + 700, 300}, {kFirst + 1400, 128}, {kFirst + 3000, 20000}, {kFirst + 23077, 1013}};
+
+  [[nodiscard]] static Grid<float> samples() {
+    Grid<float> all = test::noise(3, kFrames);
+    for (std::size_t c = 0; c < 3; ++c) std::fill_n(all[c].data() + 10000, kReturn - 10000, 0.0F);
+    return all;
+  }
+  [[nodiscard]] static HopIndex heard_again(const test::KeepingSink& sink, HopIndex after) {
+    for (const auto& hop : sink.hops) {
+      if (hop.time > after && !hop.potentials.empty() && hop.potentials[0].energy > 0.01F) return hop.time;
+    }
+    return 0;
+  }
+};
+
+TEST(RunOffline, keeps_the_stamps_right_over_what_the_source_has_lost) {
+  for (const int rate : {16000, 44100}) {
+    AfterGaps gone;
+    test::GappySource whole(AfterGaps::samples(), {}, rate);
+    test::GappySource gappy(AfterGaps::samples(), gone.gaps, rate);
+    std::array<test::KeepingSink, 2> sinks;
+    std::array<RunSummary, 2> summaries;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Configuration config = test::small_configuration();
+      Pipeline pipeline(config.pipeline);
+      const std::array<Sink*, 1> sink{&sinks[i]};
+      test::GappySource& source = i == 0 ? whole : gappy;
+      summaries[i] = run_offline(source, config, pipeline, sink, {});
+    }
+    const auto silent = static_cast<HopIndex>(30000.0 * 16000 / rate / 128);
+    EXPECT_GT(AfterGaps::heard_again(sinks[0], silent), 0U);
+    EXPECT_EQ(AfterGaps::heard_again(sinks[0], silent), AfterGaps::heard_again(sinks[1], silent)) << rate;
+    EXPECT_EQ(summaries[1].metrics.hops + summaries[1].metrics.skipped_hops, summaries[0].metrics.hops);
+    EXPECT_EQ(summaries[1].metrics.lost_frames, 1U + 300 + 128 + 20000 + 1013);
+    EXPECT_GT(summaries[1].metrics.skipped_hops, 30U);
+    EXPECT_EQ(summaries[1].warnings.size(), 1U) << "the loss";
+  }
+}
+
 }  // namespace
 }  // namespace odas

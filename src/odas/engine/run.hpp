@@ -28,6 +28,9 @@ struct RunOptions {
   /// Told at once of what a user should know but what does not end the run: "microphone 3 (channel 4) is
   /// silent". Called in the thread of the caller.
   std::function<void(const std::string& warning)> warn;
+  /// Told at once what the source has to say: "waiting for 127.0.0.1:9000". Called in the thread of the
+  /// caller.
+  std::function<void(const std::string& notice)> notice;
 };
 
 struct RunSummary {

@@ -18,6 +18,7 @@ void finish_summary(RunSummary& summary, HopLoop& loop, const SinkGroup& sinks, 
   summary.metrics = loop.metrics();
   summary.metrics.dropped_hops = lost.dropped_hops;
   summary.metrics.overruns = lost.overruns;
+  summary.metrics.lost_frames = lost.lost_frames;
   for (std::string& warning : loop.health().take_warnings()) feed.warn(std::move(warning));
   const auto warn = [&](std::uint64_t count, const char* what) {
     if (count > 0) feed.warn(std::to_string(count) + what);
@@ -25,6 +26,7 @@ void finish_summary(RunSummary& summary, HopLoop& loop, const SinkGroup& sinks, 
   warn(summary.metrics.non_finite_samples,
        " samples of the input were not numbers (NaN or infinite) and were taken as silence");
   warn(summary.metrics.overruns, " blocks of the source were lost: the engine was too slow for it");
+  warn(summary.metrics.lost_frames, " frames of the source were lost; the time stamps count them");
   warn(summary.metrics.dropped_hops, " hops were dropped: an output was too slow");
   sinks.report(summary, [&](std::string warning) { feed.warn(std::move(warning)); });
 }

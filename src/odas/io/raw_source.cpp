@@ -10,7 +10,6 @@
 #include <sys/stat.h>
 
 #include "odas/base/error.hpp"
-#include "odas/io/pcm.hpp"
 
 namespace odas {
 namespace {
@@ -31,7 +30,7 @@ RawSource::RawSource(std::filesystem::path file, const RawConfig& raw)
     : file_(std::move(file)),
       channels_(static_cast<std::size_t>(raw.n_channels)),
       sample_rate_(raw.fs),
-      bits_(raw.n_bits),
+      format_(stream_format(raw)),
       descriptor_(open_to_read(file_)) {
   struct stat status {};
   if (::fstat(descriptor_.get(), &status) != 0) {
@@ -40,16 +39,16 @@ RawSource::RawSource(std::filesystem::path file, const RawConfig& raw)
   if (S_ISDIR(status.st_mode)) throw IoError("cannot read " + file_.string() + ": it is a folder");
   regular_ = S_ISREG(status.st_mode);
   if (!regular_) return;
-  total_ = static_cast<std::uint64_t>(status.st_size) / (channels_ * pcm_bytes(bits_));
+  total_ = static_cast<std::uint64_t>(status.st_size) / (channels_ * bytes_of(format_));
   if (status.st_size == 0) throw IoError(file_.string() + " is empty: there is no sound in it");
   if (*total_ == 0) {
     throw IoError(file_.string() + " holds less than one sample of " + std::to_string(channels_) +
-                  " channels of " + std::to_string(bits_) + " bits");
+                  " channels of " + std::string(name_of(format_)));
   }
 }
 
 ReadResult RawSource::read(GridView<float> block) {
-  const std::size_t frame = channels_ * pcm_bytes(bits_);
+  const std::size_t frame = channels_ * bytes_of(format_);
   const std::size_t wanted = block.cols() * frame;
   bytes_.resize(wanted);  // grows once: blocks are of one size
   ReadResult result;
@@ -69,8 +68,8 @@ ReadResult RawSource::read(GridView<float> block) {
   }
   result.end = ended_;
   result.frames = held_ / frame;
-  decode_pcm({bytes_.data(), result.frames * frame}, bits_,
-             GridView<float>(block.data(), block.rows(), result.frames, block.stride()));
+  decode_samples({bytes_.data(), result.frames * frame}, format_,
+                 GridView<float>(block.data(), block.rows(), result.frames, block.stride()));
   held_ -= result.frames * frame;  // at the end, the bytes of a torn frame are left
   return result;
 }

@@ -7,6 +7,7 @@
 #include "odas/engine/audio_source.hpp"
 #include "odas/engine/config.hpp"
 #include "odas/io/file_descriptor.hpp"
+#include "odas/io/sample_format.hpp"
 
 namespace odas {
 
@@ -27,7 +28,7 @@ class RawSource : public AudioSource {
   std::filesystem::path file_;
   std::size_t channels_;
   int sample_rate_;
-  int bits_;
+  SampleFormat format_;
   FileDescriptor descriptor_;
   bool regular_ = true;  // else: reading may wait for somebody
   std::optional<std::uint64_t> total_;

@@ -7,9 +7,9 @@
 namespace odas {
 namespace {
 
-TEST(SourceRegistry, says_which_sources_come_later) {
+TEST(SourceRegistry, says_which_sources_are_not_there) {
   RawConfig raw;
-  for (const char* type : {"blackhole", "socket", "soundcard", "soundcard_name", "pulseaudio"}) {
+  for (const char* type : {"blackhole"}) {
     raw.interface.type = type;
     try {
       static_cast<void>(make_source(raw));

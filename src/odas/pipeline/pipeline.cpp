@@ -132,6 +132,8 @@ HopResult Pipeline::process_hop(GridView<const float> mics) noexcept {
   return {p.time, p.potentials, p.tracks, p.separated, p.postfiltered};
 }
 
+void Pipeline::skip_hops(HopIndex hops) noexcept { parts_->time += hops; }
+
 void Pipeline::set_targets(std::span<const Target> targets) noexcept {
   if (parts_->tracker) parts_->tracker->set_targets(targets);
 }

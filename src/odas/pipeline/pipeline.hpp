@@ -35,6 +35,9 @@ class Pipeline {
   /// Allocates nothing, locks nothing, waits for nobody.
   HopResult process_hop(GridView<const float> mics) noexcept;
 
+  /// `time` goes on by `hops` that are not there: the source has lost them.
+  void skip_hops(HopIndex hops) noexcept;
+
   /// From the next hop on, the fixed directions are these, in place of those of `sst.target` or of an earlier
   /// call (`Tracker::set_targets`). Between hops only, on the thread that calls `process_hop`.
   void set_targets(std::span<const Target> targets) noexcept;
