@@ -40,6 +40,9 @@ class AudioSource {
   /// has within a tenth of a second, which may be nothing, so that the program stays able to stop.
   [[nodiscard]] virtual ReadResult read(GridView<float> block) = 0;
 
+  /// The run is over, for whatever reason; nothing is read any more. What could not be kept is said.
+  virtual IoStatus finish() { return {}; }
+
   /// What was odd about the recording, known at its end: "ends early, ...". Empty: nothing.
   [[nodiscard]] virtual std::string warning() const { return {}; }
 };

@@ -14,6 +14,16 @@ void BlockFeed::warn(std::string warning) {
   summary_.warnings.push_back(std::move(warning));
 }
 
+void BlockFeed::finish() {
+  IoStatus status;
+  try {
+    status = source_.finish();
+  } catch (const std::exception& error) { status = IoStatus::failed(error.what()); }
+  if (status.ok() || !summary_.fault.empty()) return;
+  summary_.end = RunSummary::End::source_failed;
+  summary_.fault = status.what();
+}
+
 std::optional<BlockFeed::Block> BlockFeed::next(GridView<float> block, bool cancelled) {
   if (over_ || cancelled) return std::nullopt;
   if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) {

@@ -23,6 +23,9 @@ class BlockFeed {
   /// `cancelled`: something else has failed.
   [[nodiscard]] std::optional<Block> next(GridView<float> block, bool cancelled = false);
 
+  /// The run is over: the source may finish what it keeps.
+  void finish();
+
   /// Tells a warning at once and keeps it for the summary.
   void warn(std::string warning);
 

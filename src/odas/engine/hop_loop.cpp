@@ -16,7 +16,8 @@ std::uint64_t run_out_hops(const Configuration& config) {
 HopLoop::HopLoop(const Configuration& config, std::size_t channels, int source_rate, Pipeline& pipeline,
                  TargetInbox* targets)
     : front_end_(config, channels, source_rate),
-      gaps_(source_rate, pipeline.sample_rate(), pipeline.hop_size(), run_out_hops(config)),
+      gaps_(source_rate, pipeline.sample_rate(), pipeline.hop_size(),
+            run_out_hops(config) + pipeline.lookback_hops()),
       silence_(channels, front_end_.block_size()),
       pipeline_(pipeline),
       targets_(targets),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "odas/engine/live.hpp"
 
-#include <csignal>
 #include <deque>
 #include <thread>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "odas/engine/denormals.hpp"
 #include "odas/engine/hop_record.hpp"
 #include "odas/engine/run_report.hpp"
+#include "odas/engine/signals_blocked.hpp"
 
 namespace odas {
 namespace {
@@ -23,22 +23,6 @@ struct Block {
   std::size_t frames = 0;
   std::uint64_t lost = 0;  // frames before these
   bool end = false;
-};
-
-/// Threads that are started while it lives take no signals.
-class SignalsBlocked {
- public:
-  SignalsBlocked() noexcept {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &saved_);
-  }
-  ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &saved_, nullptr); }
-  SignalsBlocked(const SignalsBlocked&) = delete;
-  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
- private:
-  sigset_t saved_;
 };
 
 /// The engine's results on their way to the sinks: a queue for each, and a bell that wakes their thread.

@@ -19,6 +19,7 @@ void finish_summary(RunSummary& summary, HopLoop& loop, const SinkGroup& sinks, 
   summary.metrics.dropped_hops = lost.dropped_hops;
   summary.metrics.overruns = lost.overruns;
   summary.metrics.lost_frames = lost.lost_frames;
+  feed.finish();
   for (std::string& warning : loop.health().take_warnings()) feed.warn(std::move(warning));
   const auto warn = [&](std::uint64_t count, const char* what) {
     if (count > 0) feed.warn(std::to_string(count) + what);

@@ -6,7 +6,9 @@
 
 #include "odas/base/error.hpp"
 #include "odas/io/alsa_source.hpp"
+#include "odas/io/kept_source.hpp"
 #include "odas/io/paced_source.hpp"
+#include "odas/io/pulse_source.hpp"
 #include "odas/io/recording.hpp"
 #include "odas/io/registry.hpp"
 #include "odas/io/stream_source.hpp"
@@ -58,7 +60,12 @@ constexpr std::array kSources {
 #else
       SourceKind{"soundcard", nullptr}, SourceKind{"soundcard_name", nullptr},
 #endif
+#if defined(ODAS_WITH_PULSE)
+      SourceKind{"pulseaudio",
+                 [](const RawConfig& raw) -> Made { return std::make_unique<PulseSource>(raw); }},
+#else
       SourceKind{"pulseaudio", nullptr},
+#endif
 };
 
 }  // namespace
@@ -79,7 +86,7 @@ std::unique_ptr<AudioSource> make_source(const RawConfig& raw) {
                                                 "build it again with -DODAS_WITH_" +
                                                 std::string(type == "pulseaudio" ? "PULSE" : "ALSA") + "=ON");
   }
-  return kind->make(raw);
+  return keep_source(kind->make(raw), raw);
 }
 
 }  // namespace odas
