@@ -7,6 +7,7 @@
 
 #include "odas/array/types.hpp"
 #include "odas/dsp/mcra_config.hpp"
+#include "odas/dsp/noise_estimator.hpp"
 
 namespace odas {
 
@@ -23,22 +24,16 @@ namespace odas {
 /// Shapes: [channel][bin]; powers as the DFT gives them.
 /// Errors: a hop that is not finite, or silent before the first sound, is passed over for that channel.
 /// Fails: noise that rises by more than delta is taken for speech for L to 2 L hops.
-class Mcra {
+class Mcra final : public NoiseEstimator {
  public:
   Mcra(const McraConfig& config, std::size_t channels, std::size_t bins);
 
   /// spectra [channel][bin]
   void update(GridView<const cfloat> spectra) noexcept;
-  /// One channel by itself; power[bin].
-  void update(std::size_t channel, std::span<const float> power) noexcept;
-
-  /// The estimate, [channel][bin]; zero before the first sound.
-  [[nodiscard]] GridView<const float> psd() const noexcept { return psd_; }
-
-  /// Begins a channel anew, from what is known of its noise; from nothing where that is silence or not
-  /// finite.
-  void reset(std::size_t channel, std::span<const float> known) noexcept;
-  void reset(std::size_t channel) noexcept;
+  void update(std::size_t channel, std::span<const float> power) noexcept override;
+  [[nodiscard]] GridView<const float> psd() const noexcept override { return psd_; }
+  void reset(std::size_t channel, std::span<const float> known) noexcept override;
+  void reset(std::size_t channel) noexcept override;
   void reset() noexcept;
 
  private:

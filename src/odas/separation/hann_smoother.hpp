@@ -19,6 +19,8 @@ class HannSmoother {
   /// `width` is at most `frame_size`, which is even.
   HannSmoother(std::size_t width, std::size_t frame_size);
 
+  [[nodiscard]] std::size_t width() const noexcept { return width_; }
+
   void smooth(std::span<const float> values, std::span<float> smoothed) const noexcept;
 
  private:

@@ -8,12 +8,11 @@
 #include <numeric>
 
 #include "odas/base/contract.hpp"
+#include "odas/dsp/mcra.hpp"
 
 namespace odas {
 namespace {
 
-// 100 dB: more says nothing, and would stay in the averages for long.
-constexpr float kLargestSnr = 1e10F;
 // Of the table of phi. Beyond the last v, exp(E1(v) / 2) is 1 within 2e-5.
 constexpr float kPhiSteps = 32;
 constexpr float kPhiLast = 8;
@@ -26,9 +25,16 @@ std::size_t points(int size) noexcept { return static_cast<std::size_t>(size); }
 
 MultiSourceFilter::MultiSourceFilter(const MultiSourceFilterConfig& config, const McraConfig& sne,
                                      const GeneralConfig& general, std::size_t slots)
+    : MultiSourceFilter(config, std::make_unique<Mcra>(sne, slots, points(general.size.frame_size) / 2 + 1),
+                        general, slots) {}
+
+MultiSourceFilter::MultiSourceFilter(const MultiSourceFilterConfig& config,
+                                     std::unique_ptr<NoiseEstimator> noise, const GeneralConfig& general,
+                                     std::size_t slots, float largest_snr)
     : config_(config),
       epsilon_(std::max(general.epsilon, 1e-30F)),
-      noise_(sne, slots, points(general.size.frame_size) / 2 + 1),
+      largest_snr_(largest_snr),
+      noise_(std::move(noise)),
       ids_(slots),
       heard_(slots),
       interference_(points(general.size.frame_size) / 2 + 1),
@@ -93,11 +99,11 @@ void MultiSourceFilter::begin(std::size_t slot, GridView<const float> noise_psd,
       smoothed_[k] += std::norm(weights[m][k]) * noise_psd[m][k];
     }
   }
-  noise_.reset(slot, smoothed_);
+  noise_->reset(slot, smoothed_);
 }
 
 void MultiSourceFilter::forget(std::size_t slot) noexcept {
-  noise_.reset(slot);
+  noise_->reset(slot);
   for (Grid<float>* state : {&leak_, &snr_, &present_gain_}) {
     std::fill((*state)[slot].begin(), (*state)[slot].end(), 0.F);
   }
@@ -107,14 +113,14 @@ void MultiSourceFilter::forget(std::size_t slot) noexcept {
 }
 
 void MultiSourceFilter::estimate_noise(std::size_t slot) noexcept {
-  noise_.update(slot, power_[slot]);
+  noise_->update(slot, power_[slot]);
   const std::span<float> leak = leak_[slot];
   const std::span<const float> power = power_[slot];
   for (std::size_t k = 0; k < leak.size(); ++k) leak[k] += config_.alpha_z * (power[k] - leak[k]);
 }
 
 void MultiSourceFilter::estimate_snr(std::size_t slot) noexcept {
-  const std::span<const float> noise = noise_.psd()[slot];
+  const std::span<const float> noise = noise_->psd()[slot];
   std::copy(noise.begin(), noise.end(), interference_.begin());
   for (std::size_t other = 0; other < ids_.size(); ++other) {
     if (other == slot || !heard_[other]) continue;
@@ -126,7 +132,7 @@ void MultiSourceFilter::estimate_snr(std::size_t slot) noexcept {
   const std::span<float> xi = snr_[slot];
   const std::span<float> g1 = present_gain_[slot];
   for (std::size_t k = 0; k < xi.size(); ++k) {
-    const float posteriori = std::min(power[k] / (interference_[k] + epsilon_), kLargestSnr);
+    const float posteriori = std::min(power[k] / (interference_[k] + epsilon_), largest_snr_);
     const float before = xi[k] / (1 + xi[k]);
     const float a = std::min(before * before + config_.alpha_p_min, 1.F);
     xi[k] = (1 - a) * g1[k] * g1[k] * posteriori + a * std::max(posteriori - 1, 0.F);
@@ -138,14 +144,14 @@ void MultiSourceFilter::estimate_snr(std::size_t slot) noexcept {
 
 void MultiSourceFilter::estimate_gain(std::size_t slot) noexcept {
   const std::span<const float> xi = snr_[slot];
-  const float theta2 = config_.theta_win * config_.theta_win;
   std::fill(presence_.begin(), presence_.end(), 1.F);
   for (Window& window : windows_) {
-    window.smoother.smooth(xi, smoothed_);
+    smooth(window.smoother, xi, smoothed_);
     const std::span<float> zeta = window.presence[slot];
     for (std::size_t k = 0; k < zeta.size(); ++k) {
       zeta[k] += config_.alpha_win * (smoothed_[k] - zeta[k]);
-      presence_[k] *= zeta[k] * zeta[k] / (zeta[k] * zeta[k] + theta2);
+      const float ratio = config_.theta_win / zeta[k];
+      presence_[k] /= 1 + ratio * ratio;
     }
   }
 

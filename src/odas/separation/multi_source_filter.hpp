@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "odas/array/config.hpp"
-#include "odas/dsp/mcra.hpp"
+#include "odas/dsp/mcra_config.hpp"
+#include "odas/dsp/noise_estimator.hpp"
 #include "odas/separation/config.hpp"
 #include "odas/separation/hann_smoother.hpp"
 #include "odas/separation/post_filter.hpp"
@@ -32,16 +34,29 @@ namespace odas {
 /// Shapes: see PostFilter. Delay: none. Cost per hop: slots x bins, with two exponentials and a logarithm
 /// each. Errors: a beam that is not finite gives silence, and leaves what is remembered as it is. Fails:
 /// musical noise where thetaWin is too small; a source beside a much louder one is taken for leakage.
-class MultiSourceFilter final : public PostFilter {
+class MultiSourceFilter : public PostFilter {
  public:
   MultiSourceFilter(const MultiSourceFilterConfig& config, const McraConfig& sne,
                     const GeneralConfig& general, std::size_t slots);
+
+  /// 100 dB: more says nothing, and would stay in the averages for long.
+  static constexpr float kLargestSnr = 1e10F;
+  /// `noise`: how the noise of a beam is followed, in place of Mcra; of the shape [slot][bin].
+  MultiSourceFilter(const MultiSourceFilterConfig& config, std::unique_ptr<NoiseEstimator> noise,
+                    const GeneralConfig& general, std::size_t slots, float largest_snr = kLargestSnr);
 
   void apply(GridView<const cfloat> spectra, GridView<const float> noise_psd, std::span<const Track> tracks,
              const Beamformer& beamformer, GridView<const cfloat> beams,
              GridView<cfloat> filtered) noexcept override;
   [[nodiscard]] bool needs_noise() const noexcept override { return true; }
   void reset() noexcept override;
+
+ protected:
+  /// h * xi. Virtual for one test alone, that of ODAS's rounding.
+  virtual void smooth(const HannSmoother& window, std::span<const float> xi,
+                      std::span<float> smoothed) const noexcept {
+    window.smooth(xi, smoothed);
+  }
 
  private:
   struct Window {
@@ -57,21 +72,21 @@ class MultiSourceFilter final : public PostFilter {
   [[nodiscard]] float phi(float v) const noexcept;
 
   MultiSourceFilterConfig config_;
-  float epsilon_;
-  Mcra noise_;                       // of the beams, [slot][bin]
-  std::vector<Window> windows_;      // local, global, frame
-  std::vector<float> phi_table_;     // sqrt(v) exp(E1(v) / 2)
-  std::vector<std::uint64_t> ids_;   // [slot]: whom the states belong to
-  std::vector<bool> heard_;          // [slot]: live, and finite in this hop
-  Grid<float> power_;                // P [slot][bin]
-  Grid<float> leak_;                 // Z [slot][bin]
-  Grid<float> snr_;                  // xi [slot][bin]
-  Grid<float> present_gain_;         // G1 [slot][bin]
-  std::vector<float> interference_;  // lambda [bin]
-  std::vector<float> v_;             // v [bin]
-  std::vector<float> presence_;      // P_local P_global P_frame [bin]
-  std::vector<float> smoothed_;      // [bin]
-  std::vector<float> gain_;          // G [bin]
+  float epsilon_, largest_snr_;
+  std::unique_ptr<NoiseEstimator> noise_;  // of the beams, [slot][bin]
+  std::vector<Window> windows_;            // local, global, frame
+  std::vector<float> phi_table_;           // sqrt(v) exp(E1(v) / 2)
+  std::vector<std::uint64_t> ids_;         // [slot]: whom the states belong to
+  std::vector<bool> heard_;                // [slot]: live, and finite in this hop
+  Grid<float> power_;                      // P [slot][bin]
+  Grid<float> leak_;                       // Z [slot][bin]
+  Grid<float> snr_;                        // xi [slot][bin]
+  Grid<float> present_gain_;               // G1 [slot][bin]
+  std::vector<float> interference_;        // lambda [bin]
+  std::vector<float> v_;                   // v [bin]
+  std::vector<float> presence_;            // P_local P_global P_frame [bin]
+  std::vector<float> smoothed_;            // [bin]
+  std::vector<float> gain_;                // G [bin]
 };
 
 }  // namespace odas

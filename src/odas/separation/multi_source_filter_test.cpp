@@ -9,6 +9,7 @@
 #include "support/wave_field.hpp"
 #include <gtest/gtest.h>
 
+#include "odas/dsp/mcra.hpp"
 #include "odas/separation/delay_and_sum.hpp"
 
 namespace odas {
@@ -28,7 +29,7 @@ class Bench {
   explicit Bench(std::size_t slots = 1, const MultiSourceFilterConfig& config = {})
       : general_(ring(4)),
         beamformer_(general_, slots),
-        filter_(config, {}, general_, slots),
+        filter_(config, McraConfig{}, general_, slots),
         mics_(4, kBins),
         psd_(4, kBins),
         unused_(slots, kBins),
