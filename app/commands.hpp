@@ -16,6 +16,7 @@ struct ExitCode {
 
 void add_arrays(CLI::App& app);
 void add_check(CLI::App& app);
+void add_devices(CLI::App& app);
 void add_live(CLI::App& app);
 void add_run(CLI::App& app);
 void add_simulate(CLI::App& app);

@@ -35,7 +35,7 @@ Channel make_terminal() {
 
 [[noreturn]] void become(const std::vector<std::string>& command, const ProgramOptions& options, int out,
                          int err) {
-  const int null = open("/dev/null", O_RDONLY);
+  const int null = open(options.input.empty() ? "/dev/null" : options.input.c_str(), O_RDONLY);
   if (null < 0 || out < 0 || err < 0) _exit(126);
   dup2(null, STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
@@ -46,6 +46,7 @@ Channel make_terminal() {
     setrlimit(RLIMIT_FSIZE, &limit);
     std::signal(SIGXFSZ, SIG_IGN);  // so that the write fails with EFBIG instead
   }
+  for (const std::string& variable : options.environment) putenv(const_cast<char*>(variable.c_str()));
   if (options.terminal) setenv("TERM", "xterm", 1);
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));

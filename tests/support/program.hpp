@@ -26,7 +26,10 @@ struct ProgramOptions {
   std::optional<std::uint64_t> largest_file{};  // bytes; a write beyond fails, as on a full disk
   bool terminal = false;                        // stderr is a terminal
   std::function<bool()> interrupt_when{};       // asked every few ms; SIGINT (Ctrl-C) is sent once it is true
-  int seconds = 60;                             // then the program is killed
+  /// "NAME=value", beside those of the test.
+  std::vector<std::string> environment{};
+  std::filesystem::path input{};  // its standard input; empty: nothing
+  int seconds = 60;               // then the program is killed
 };
 
 /// Runs a program as a user would, without a shell, and waits for its end.

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "odas/base/error.hpp"
+#include "odas/io/alsa_devices.hpp"
 #include "odas/io/card_owner.hpp"
 
 namespace odas {
@@ -17,24 +18,6 @@ constexpr auto kPatience = milliseconds(100);  // of one read, so that the progr
 constexpr auto kFirstPause = milliseconds(100), kLongestPause = milliseconds(3000);
 constexpr auto kSilence = std::chrono::seconds(5);    // a card that gives nothing for so long hangs
 constexpr auto kSayAgain = std::chrono::seconds(10);  // overruns come in flocks
-
-std::string advice(int error, const std::string& name, const std::string& owner) {
-  switch (-error) {
-    case EBUSY:
-      return (owner.empty() ? "; another program captures from it" : "; " + owner + " captures from it") +
-             ": end that, or share the card by PulseAudio (type = \"pulseaudio\") or by ALSA's dsnoop";
-    case EACCES:
-    case EPERM:
-      return "; may you use sound cards? sudo usermod -aG audio $USER, and log in again";
-    case ENOENT:
-    case ENODEV:
-    case ENXIO:
-      return "; `odas devices` lists those that are there, with names that a reboot does not change" +
-             std::string(name.starts_with("hw:") ? "" : ", and ALSA's own names");
-    default:
-      return "";
-  }
-}
 
 }  // namespace
 
@@ -58,7 +41,7 @@ std::string AlsaSource::open() {
   std::unique_ptr<AlsaPcm> pcm = world_.open(name_, error);
   if (!pcm) {
     return "cannot open the sound card " + name_ + ": " + world_.error_text(error) +
-           advice(error, name_, error == -EBUSY ? world_.owner(name_) : "");
+           alsa_advice(error, name_, error == -EBUSY ? world_.owner(name_) : "");
   }
   const CaptureOffer all = pcm->offer(std::nullopt, std::nullopt);
   std::string wrong = misfit(name_, raw_, all);

@@ -256,7 +256,7 @@ TEST(AlsaSource, says_who_holds_the_card_what_is_missing_and_what_is_forbidden) 
   card.open_error = -EBUSY;
   EXPECT_NE(failure(card).find("arecord (process 7) captures from it"), std::string::npos);
   card.open_error = -ENOENT;
-  EXPECT_NE(failure(card).find("hw:1,0: No such file or directory; `odas devices` lists"), std::string::npos);
+  EXPECT_NE(failure(card).find("hw:1,0: No such file or directory; 'odas devices' lists"), std::string::npos);
   card.open_error = -EACCES;
   EXPECT_NE(failure(card).find("usermod -aG audio"), std::string::npos);
 }

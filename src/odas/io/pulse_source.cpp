@@ -93,7 +93,7 @@ std::string PulseSource::connect(Clock::time_point deadline, bool first) {
     return what + fault + "; does a server run for this user? pactl info says";
   }
   const std::optional<PulseDevice> device = client.source(name, deadline);
-  if (!device) return what + "there is none of this name; `odas devices` lists those that are there";
+  if (!device) return what + "there is none of this name; 'odas devices' lists those that are there";
 
   CaptureOffer any = device->offer;  // the server converts, but it has no more microphones than there are
   any.min_channels = 1;
