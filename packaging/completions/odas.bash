@@ -19,9 +19,10 @@ _odas() {
     -o | --out) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -d -- "$cur"); return ;;
   esac
   case $command in
-    '') options='run live arrays check targets simulate score -h --help --version' ;;
+    '') options='run live devices arrays check targets simulate score -h --help --version' ;;
     run) options='-h --help -c --config -o --out --odas-files' ;;
     live) options='-h --help -c --config -v --verbose' ;;
+    devices) options='-h --help --json' ;;
     arrays) options='-h --help -p --paths' ;;
     simulate) options='-h --help -o --out --flac' ;;
     score) options='-h --help --json' ;;
@@ -33,6 +34,8 @@ _odas() {
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$cur")
   elif [[ $command == live || $command == check ]]; then
     _odas_configurations "$cur"
+  elif [[ $command == devices ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$(odas devices 2>/dev/null | sed -n 's/^  \([^ ].*\)/\1/p')" -- "$cur")
   elif [[ $command != arrays && $command != targets ]]; then
     compopt -o filenames
     mapfile -t COMPREPLY < <(compgen -f -- "$cur")

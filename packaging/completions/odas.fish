@@ -2,6 +2,7 @@
 # fish completion of odas and odaslive
 complete -c odas -n __fish_use_subcommand -f -a run -d 'Process a recording'
 complete -c odas -n __fish_use_subcommand -f -a live -d 'Run a configuration as it stands'
+complete -c odas -n __fish_use_subcommand -f -a devices -d 'List microphones and what each offers'
 complete -c odas -n __fish_use_subcommand -f -a arrays -d 'List the arrays that are known by name'
 complete -c odas -n __fish_use_subcommand -f -a simulate -d 'Make a recording, and its truth, of a scene'
 complete -c odas -n __fish_use_subcommand -f -a score -d 'Hold what was heard against the truth'
@@ -15,6 +16,8 @@ complete -c odas -n '__fish_seen_subcommand_from live check' -a "(odas arrays 2>
 complete -c odas -n '__fish_seen_subcommand_from run simulate' -s o -l out -r -a '(__fish_complete_directories)' -d 'Folder to write to'
 complete -c odas -n '__fish_seen_subcommand_from run' -l odas-files -d "ODAS's own formats, too"
 complete -c odas -n '__fish_seen_subcommand_from live' -s v -l verbose -d 'Say at the end what it has cost'
+complete -c odas -n '__fish_seen_subcommand_from devices' -f -a "(odas devices 2>/dev/null | string match -rg '^  (\S.*)')"
+complete -c odas -n '__fish_seen_subcommand_from devices' -l json -d 'Print a JSON array'
 complete -c odas -n '__fish_seen_subcommand_from arrays' -f -s p -l paths -d 'Where each file is'
 complete -c odas -n '__fish_seen_subcommand_from simulate' -l flac -d 'Write mics.flac'
 complete -c odas -n '__fish_seen_subcommand_from score' -l json -d 'Print one JSON object'
