@@ -67,12 +67,12 @@ std::string describe(const Metrics& metrics) {
   std::snprintf(
       text.data(), text.size(),
       "%llu hops, %.2f s of sound; a hop took %.0f us (median), %.0f us (p99), %.0f us (longest): "
-      "%.2f %% of real time\n%llu hops dropped, %llu blocks and %llu frames lost, %llu samples clipped, %llu not finite",
+      "%.2f %% of real time\n%llu hops dropped, %llu blocks and %llu frames lost, %llu samples clipped, %llu "
+      "not finite",
       static_cast<unsigned long long>(metrics.hops), metrics.sound_seconds,
       us(metrics.hop_time.quantile(0.5)), us(metrics.hop_time.quantile(0.99)), us(metrics.hop_time.max()),
       100 * metrics.real_time_share(), static_cast<unsigned long long>(metrics.dropped_hops),
-      static_cast<unsigned long long>(metrics.overruns),
-      static_cast<unsigned long long>(metrics.lost_frames),
+      static_cast<unsigned long long>(metrics.overruns), static_cast<unsigned long long>(metrics.lost_frames),
       static_cast<unsigned long long>(metrics.clipped_samples),
       static_cast<unsigned long long>(metrics.non_finite_samples));
   return text.data();

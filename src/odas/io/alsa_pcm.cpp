@@ -128,7 +128,7 @@ class LibraryPcm : public AlsaPcm {
     if (error == -ESTRPIPE) {
       const int resumed = snd_pcm_resume(pcm_);
       if (resumed == -EAGAIN) return resumed;  // it is still waking
-      if (resumed >= 0) snd_pcm_drop(pcm_);  // what it heard while it woke is not wanted: it starts anew
+      if (resumed >= 0) snd_pcm_drop(pcm_);    // what it heard while it woke is not wanted: it starts anew
     }
     return snd_pcm_prepare(pcm_);
   }

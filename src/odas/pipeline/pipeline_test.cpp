@@ -270,6 +270,26 @@ TEST(Pipeline, Works_at_other_sizes) {
   }
 }
 
+TEST(Pipeline, Has_as_many_channels_as_tracks_whatever_their_number) {
+  for (const auto& [sep, tracks] : {std::pair{"dds", 1}, {"dds", 20}, {"dgss", 1}, {"dgss", 20}}) {
+    PipelineConfig config = tetrahedron_config();
+    config.sst.n_tracks = tracks;
+    config.sss.mode_sep = sep;
+    config.sss.mode_pf = "ms";
+    config.wanted.categories = true;
+    Pipeline pipeline(config);
+    EXPECT_EQ(pipeline.slots(), static_cast<std::size_t>(tracks));
+    FarSource source(config.general, direction_of(35, 20), 40);
+    HopResult result;
+    for (std::size_t h = 0; h < source.hops(); ++h) result = pipeline.process_hop(source.hop(h));
+    EXPECT_EQ(result.tracks.size(), static_cast<std::size_t>(tracks));
+    EXPECT_EQ(result.separated.rows(), static_cast<std::size_t>(tracks));
+    EXPECT_EQ(result.postfiltered.rows(), static_cast<std::size_t>(tracks));
+    EXPECT_NE(result.tracks[0].id, 0U);
+    EXPECT_GT(power(result.separated[0]), 0.001F) << sep;
+  }
+}
+
 // ODAS fault B7: a target that no microphone hears ended the program.
 TEST(Pipeline, Gives_silence_for_a_target_that_no_microphone_hears) {
   PipelineConfig config = tetrahedron_config();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace odas {
 namespace {
@@ -13,13 +14,13 @@ constexpr std::size_t kCapacity = 64;
 
 Departed::Departed(std::uint64_t hops) : hops_(hops), sources_(hops > 0 ? kCapacity : 0) {}
 
-void Departed::add(std::uint64_t id, Vec3 direction) noexcept {
+void Departed::add(std::uint64_t id, Vec3 direction, std::size_t slot) noexcept {
   if (sources_.empty()) return;
   // A free place before any other, and the oldest before a younger one.
   const auto place = std::min_element(sources_.begin(), sources_.end(), [](const Source& a, const Source& b) {
     return a.id == 0 || b.id == 0 ? a.id == 0 && b.id != 0 : a.since < b.since;
   });
-  *place = {id, direction, now_};
+  *place = {id, direction, slot, now_};
 }
 
 void Departed::age() noexcept {
@@ -46,10 +47,8 @@ std::optional<Departed::Match> Departed::nearest(Vec3 direction) const noexcept 
   return best;
 }
 
-std::uint64_t Departed::take(std::size_t place) noexcept {
-  const std::uint64_t id = sources_[place].id;
-  sources_[place] = {};
-  return id;
+Departed::Source Departed::take(std::size_t place) noexcept {
+  return std::exchange(sources_[place], Source{});
 }
 
 }  // namespace odas

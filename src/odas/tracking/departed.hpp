@@ -19,7 +19,7 @@ class Departed {
   /// Remembers each for so many hops; none if 0. At most 64 of them, the latest.
   explicit Departed(std::uint64_t hops);
 
-  void add(std::uint64_t id, Vec3 direction) noexcept;
+  void add(std::uint64_t id, Vec3 direction, std::size_t slot) noexcept;
   /// A hop has passed.
   void age() noexcept;
   void reset() noexcept;
@@ -30,15 +30,16 @@ class Departed {
   };
   /// The nearest one that is near enough.
   [[nodiscard]] std::optional<Match> nearest(Vec3 direction) const noexcept;
-  /// Its id; it is not among the departed any more.
-  std::uint64_t take(std::size_t place) noexcept;
-
- private:
   struct Source {
     std::uint64_t id = 0;  // 0: a free place
     Vec3 direction{};
+    std::size_t slot = 0;  // that it had
     std::uint64_t since = 0;
   };
+  /// It is not among the departed any more.
+  Source take(std::size_t place) noexcept;
+
+ private:
   std::uint64_t hops_;
   std::uint64_t now_ = 0;
   std::vector<Source> sources_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "odas/base/contract.hpp"
@@ -144,7 +145,11 @@ void SlotTracker<Filter>::name_promoted() noexcept {
       best = *match;
     }
     if (known == nullptr) break;
-    known->id = departed_.take(best.place);
+    const Departed::Source source = departed_.take(best.place);
+    known->id = source.id;
+    // Into its old slot, the channel where it is listened for, if nobody is seen there.
+    Slot& old = slots_[source.slot];
+    if (old.stage == Stage::free || old.stage == Stage::probation || has_no_name(old)) std::swap(*known, old);
   }
   for (Slot& slot : slots_) {
     if (has_no_name(slot)) slot.id = ++last_id_;
@@ -155,10 +160,11 @@ template <class Filter>
 void SlotTracker<Filter>::remove_lost(std::size_t living) noexcept {
   if (living == 0) return;
   const int patience = config_.patience(living);
-  for (Slot& slot : slots_) {
+  for (std::size_t t = 0; t < slots_.size(); ++t) {
+    Slot& slot = slots_[t];
     const bool failed = slot.stage == Stage::probation && slot.hops_on_probation >= config_.n_prob;
     const bool lost = slot.stage == Stage::active && slot.silent_hops >= patience;
-    if (lost) departed_.add(slot.id, slot.filter.direction());
+    if (lost) departed_.add(slot.id, slot.filter.direction(), t);
     if (failed || lost) clear(slot);
   }
 }

@@ -354,6 +354,30 @@ TEST_F(MemoryTest, Two_who_come_back_at_once_near_each_other_do_not_swap) {
   EXPECT_EQ(id_near(direction_of(11, 0)), 1U);
 }
 
+TEST_F(MemoryTest, One_who_comes_back_has_his_old_slot_where_it_is_free_and_another_where_not) {
+  make_with_memory(2);
+  const Vec3 a = direction_of(-60, 0);
+  const Vec3 b = direction_of(60, 0);
+  const Vec3 c = direction_of(160, 0);
+  hops(20, {a, b});
+  ASSERT_LT(angle_deg(tracks[1].direction, b), 5);
+  const std::uint64_t id = tracks[1].id;
+  hops(60, {});
+  ASSERT_EQ(tracks[0].id + tracks[1].id, 0U);
+  hops(10, {b});
+  EXPECT_EQ(tracks[1].id, id) << "slot 0 is free, too, and comes first";
+  EXPECT_LT(angle_deg(tracks[1].direction, b), 5);
+  hops(60, {});
+  hops(20, {c, a});  // c gets slot 0; a, who had that, another one
+  EXPECT_EQ(tracks[0].id, 1U) << "a is known, and nobody was seen there yet";
+  hops(20, {a, c, direction_of(-150, 0)});
+  hops(20, {b, a, c, direction_of(-150, 0)});
+  EXPECT_EQ(id_near(b), id);
+  std::size_t seen = 0;
+  for (const Track& t : tracks) seen += t.id != 0 ? 1U : 0U;
+  EXPECT_EQ(seen, 4U);
+}
+
 TEST_F(MemoryTest, Without_it_ids_are_never_used_again) {
   make_with_memory(0);
   for (std::uint64_t i = 1; i < 5; ++i) {
