@@ -35,6 +35,10 @@ ProgramRun listen(const Scratch& scratch, const std::string& interface, std::vec
                                .seconds = static_cast<int>(seconds()) + 60});
 }
 
+bool left_out(const ProgramRun& run) {
+  return run.err.find("was left out when this program was built") != std::string::npos;
+}
+
 void expect_nothing_lost(const ProgramRun& run) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.err.find("0 hops dropped, 0 blocks and 0 frames lost"), std::string::npos) << run.err;
@@ -60,6 +64,7 @@ TEST(Capture, of_a_card_of_ALSA_is_exact) {
     const ProgramRun run = listen(
         scratch, R"(type = "soundcard_name"; devicename = "array8";)", {card.environment()},
         [&] { return card.played(); }, program);
+    if (left_out(run)) GTEST_SKIP() << run.err;
     expect_nothing_lost(run);
     expect_heard(scratch, played, true);
     const std::string stamp = "\"timeStamp\":" + std::to_string(seconds() * 125) + ",";
@@ -92,6 +97,7 @@ TEST(Capture, of_a_source_of_PulseAudio_is_exact) {
     });
     const ProgramRun run = listen(scratch, interface, pulse.environment(), [&] { return over.load(); });
     player.join();
+    if (left_out(run)) GTEST_SKIP() << run.err;
     expect_nothing_lost(run);
     expect_heard(scratch, played, false);
   }
@@ -131,6 +137,7 @@ TEST(Capture, waits_for_a_server_of_PulseAudio_that_has_ended) {
   const ProgramRun run = listen(scratch, R"(type = "pulseaudio"; source = "mic8.monitor";)",
                                 pulse.environment(), [&] { return over.load(); });
   trouble.join();
+  if (left_out(run)) GTEST_SKIP() << run.err;
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.err.find("waiting until it is back"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("mic8.monitor is back"), std::string::npos) << run.err;

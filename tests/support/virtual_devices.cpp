@@ -2,12 +2,14 @@
 #include "support/virtual_devices.hpp"
 
 #include <chrono>
+#include <climits>
 #include <random>
 #include <stdexcept>
 
 #include "support/program.hpp"
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -36,7 +38,7 @@ std::string noise_bytes(std::size_t frames, unsigned seed) {
 VirtualCard::VirtualCard(const Scratch& scratch) {
   const auto pipe = scratch / "array8.pipe";
   if (::mkfifo(pipe.c_str(), 0600) != 0) throw std::runtime_error("no pipe to be had");
-  pipe_ = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC);
+  pipe_ = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
   write_file(scratch / "asound.conf",
              std::string("<") + kAlsaConfiguration +
                  ">\npcm.array8 { type file slave.pcm null file \"/dev/null\" infile \"" + pipe.string() +
@@ -54,18 +56,26 @@ bool VirtualCard::possible() { return std::filesystem::exists(kAlsaConfiguration
 
 void VirtualCard::play(std::string bytes) {
   player_ = std::thread([this, sound = std::move(bytes)] {
-    constexpr std::size_t kPeriod = 128 * kVirtualFrame;  // 8 ms, and less than a pipe takes at once
+    constexpr std::size_t kPeriod = 128 * kVirtualFrame;  // 8 ms
     const std::string silence(kPeriod, '\0');
-    const auto start = std::chrono::steady_clock::now();
+    // A pipe takes what is no longer than this whole or not at all: frames stay frames.
+    static_assert(kPeriod <= PIPE_BUF);
+    auto start = std::chrono::steady_clock::now();
     for (std::size_t period = 0; !stop_; ++period) {
       std::this_thread::sleep_until(start + std::chrono::milliseconds(8) * period);
       const std::size_t at = period * kPeriod;
       played_ = at >= sound.size();
       const char* from = played_ ? silence.data() : sound.data() + at;
       const std::size_t size = played_ ? kPeriod : std::min(kPeriod, sound.size() - at);
-      // The pipe holds half a second; who does not read it for so long has an overrun of this card.
-      if (::write(pipe_, from, size) != static_cast<ssize_t>(size)) return;
-      if (period == 0) ::fcntl(pipe_, F_SETFL, O_NONBLOCK);
+      // A card would overrun. On a loaded machine that is no fault of who listens: it waits.
+      while (!stop_ && ::write(pipe_, from, size) < 0)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      // The clock runs from when somebody listens.
+      for (int waiting = 1; period == 0 && !stop_ && waiting > 0;) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (::ioctl(pipe_, FIONREAD, &waiting) != 0) return;
+        start = std::chrono::steady_clock::now();
+      }
     }
   });
 }

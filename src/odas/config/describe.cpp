@@ -189,8 +189,10 @@ std::string describe_time(const Configuration& config, const Pipeline::Plan& pla
   const int rate = config.pipeline.general.samplerate.mu;
   const auto ms = [](int samples, int hz) { return fixed(1000.0 * samples / hz, 1) + " ms"; };
   std::string text = "\nTime\n";
-  text += line("microphones", std::to_string(config.raw.fs) + " Hz, " + std::to_string(config.raw.n_bits) +
-                                  " bit, " + std::to_string(config.raw.n_channels) + " channels, blocks of " +
+  text += line("microphones", std::to_string(config.raw.fs) + " Hz, " +
+                                  (config.raw.format.empty() ? std::to_string(config.raw.n_bits) + " bit, "
+                                                             : config.raw.format + ", ") +
+                                  std::to_string(config.raw.n_channels) + " channels, blocks of " +
                                   ms(config.raw.hop_size, config.raw.fs));
   text += line("processing", std::to_string(rate) + " Hz" + (config.raw.fs == rate ? "" : ", resampled"));
   text += line("hop", std::to_string(size.hop_size) + " samples, " + ms(size.hop_size, rate));

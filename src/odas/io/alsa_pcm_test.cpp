@@ -29,7 +29,7 @@ TEST(AlsaPcm, captures_in_any_format_and_number_of_channels) {
     EXPECT_EQ(offer.formats.front(), SampleFormat::s32) << "the best first";
     ASSERT_EQ(pcm->configure(format, 8, 16000, 128), 0) << name_of(format);
     ASSERT_EQ(pcm->start(), 0);
-    std::vector<char> bytes(128 * 8 * bytes_of(format), 'x');
+    std::vector<char> bytes(std::size_t{128} * 8 * bytes_of(format), 'x');
     EXPECT_EQ(pcm->read(bytes.data(), 128), 128);
     EXPECT_EQ(pcm->recover(-EPIPE), 0);
     EXPECT_EQ(pcm->start(), 0);

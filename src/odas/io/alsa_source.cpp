@@ -32,16 +32,17 @@ AlsaSource::AlsaSource(std::string pcm, const RawConfig& raw, World world)
       world_(std::move(world)),
       channels_(static_cast<std::size_t>(raw.n_channels)),
       away_(raw.fs) {
-  if (const std::string fault = open(); !fault.empty()) throw IoError(fault);
+  const Refusal refusal = open();
+  if (refusal.misfit) throw ConfigError("raw", refusal.why);
+  if (!refusal.why.empty()) throw IoError(refusal.why);
 }
 
-/// Why it cannot be opened; "" if it runs.
-std::string AlsaSource::open() {
+AlsaSource::Refusal AlsaSource::open() {
   int error = 0;
   std::unique_ptr<AlsaPcm> pcm = world_.open(name_, error);
   if (!pcm) {
-    return "cannot open the sound card " + name_ + ": " + world_.error_text(error) +
-           alsa_advice(error, name_, error == -EBUSY ? world_.owner(name_) : "");
+    return {"cannot open the sound card " + name_ + ": " + world_.error_text(error) +
+            alsa_advice(error, name_, error == -EBUSY ? world_.owner(name_) : "")};
   }
   const CaptureOffer all = pcm->offer(std::nullopt, std::nullopt);
   std::string wrong = misfit(name_, raw_, all);
@@ -49,14 +50,14 @@ std::string AlsaSource::open() {
   const CaptureOffer together = pcm->offer(raw_.n_channels, raw_.fs);
   if (wrong.empty())
     wrong = misfit(name_ + " with " + std::to_string(raw_.n_channels) + " channels", raw_, together);
-  if (!wrong.empty()) throw ConfigError("raw", wrong);
+  if (!wrong.empty()) return {wrong, true};
   format_ = *choose_format(raw_, together);
   error = pcm->configure(format_, raw_.n_channels, raw_.fs, static_cast<std::size_t>(raw_.hop_size));
   if (error >= 0) error = pcm->start();
-  if (error < 0) return "cannot start the sound card " + name_ + ": " + world_.error_text(error);
+  if (error < 0) return {"cannot start the sound card " + name_ + ": " + world_.error_text(error)};
   pcm_ = std::move(pcm);
   heard_ = alive_ = world_.now();
-  return "";
+  return {};
 }
 
 ReadResult AlsaSource::read(GridView<float> block) {
@@ -164,12 +165,7 @@ void AlsaSource::reopen(ReadResult& result) {
     result.lost += away_.take(world_.now());
     return;
   }
-  bool back = false;
-  try {
-    back = open().empty();
-  } catch (const ConfigError&) {
-    // Another device under this name: ours may yet come.
-  }
+  const bool back = open().why.empty();  // one that does not fit is another device: ours may yet come
   result.lost += away_.take(world_.now());
   if (back) {
     away_.stop();

@@ -42,7 +42,11 @@ class AlsaSource : public AudioSource {
   [[nodiscard]] std::uint64_t overruns() const noexcept { return overruns_; }
 
  private:
-  [[nodiscard]] std::string open();
+  struct Refusal {
+    std::string why;      // "": it runs
+    bool misfit = false;  // it is there, and cannot do what `raw` says
+  };
+  [[nodiscard]] Refusal open();
   void reopen(ReadResult& result);
   void recover(int error, ReadResult& result);
   void give_up(const std::string& why, ReadResult& result);

@@ -30,8 +30,11 @@ class PulseSource : public AudioSource {
  private:
   using Clock = std::chrono::steady_clock;
   struct Connection;
-  /// Why it cannot be; "" if it runs.
-  [[nodiscard]] std::string connect(Clock::time_point deadline, bool first);
+  struct Refusal {
+    std::string why;      // "": it runs
+    bool misfit = false;  // it is there, and cannot do what `raw` says
+  };
+  [[nodiscard]] Refusal connect(Clock::time_point deadline, bool first);
   void reconnect(ReadResult& result);
   void lose(const std::string& why, ReadResult& result);
   void take(GridView<float> block, ReadResult& result);
