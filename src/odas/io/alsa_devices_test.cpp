@@ -28,7 +28,7 @@ class FakePcm : public AlsaPcm {
 };
 
 TEST(AlsaDevices, are_asked_without_being_started) {
-  const CaptureOffer offer{{SampleFormat::s32}, {}, 8, 8, 16000, 48000, {16000, 48000}};
+  const CaptureOffer offer{{SampleFormat::s32}, {}, 8, 8, {}, 16000, 48000, {16000, 48000}};
   const CaptureDevice device = ask_alsa_device(
       "hw:CARD=Array,DEV=0", [&](const std::string&, int&) { return std::make_unique<FakePcm>(offer); });
   EXPECT_EQ(device.problem, "");

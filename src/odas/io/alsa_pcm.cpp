@@ -23,7 +23,6 @@ constexpr std::array<FormatRow, kSampleFormats> kFormats{{
     {SampleFormat::s8, SND_PCM_FORMAT_S8},
     {SampleFormat::u8, SND_PCM_FORMAT_U8},
 }};
-constexpr std::array kUsualRates{8000, 16000, 22050, 32000, 44100, 48000, 88200, 96000, 176400, 192000};
 
 snd_pcm_format_t alsa_format(SampleFormat format) {
   return std::find_if(kFormats.begin(), kFormats.end(), [&](const FormatRow& r) { return r.ours == format; })
@@ -74,6 +73,10 @@ class LibraryPcm : public AlsaPcm {
         snd_pcm_hw_params_get_channels_max(p, &most) >= 0) {
       offer.min_channels = limited(least);
       offer.max_channels = limited(most);
+    }
+    for (int n = std::max(1, offer.min_channels); n <= std::min(offer.max_channels, kAskedChannels); ++n) {
+      if (snd_pcm_hw_params_test_channels(pcm_, p, static_cast<unsigned>(n)) == 0)
+        offer.channels.push_back(n);
     }
     int direction = 0;
     if (snd_pcm_hw_params_get_rate_min(p, &least, &direction) >= 0 &&

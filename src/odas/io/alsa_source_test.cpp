@@ -22,7 +22,7 @@ struct FakeCard {
   };
   std::deque<Event> events;
   AlsaSource::Clock::time_point now{};
-  CaptureOffer offer{{SampleFormat::s16}, {}, 2, 2, 16000, 16000, {16000}};
+  CaptureOffer offer{{SampleFormat::s16}, {}, 2, 2, {}, 16000, 16000, {16000}};
   int open_error = 0;  // while it is away
   int recover_error = 0;
   int opens = 0, starts = 0, recoveries = 0;
@@ -243,7 +243,7 @@ std::string failure(FakeCard& card, const RawConfig& raw = raw_config()) {
 
 TEST(AlsaSource, says_what_the_card_offers_instead_as_lines_to_paste) {
   FakeCard card;
-  card.offer = {{SampleFormat::s32, SampleFormat::s24_3}, {}, 6, 8, 44100, 48000, {44100, 48000}};
+  card.offer = {{SampleFormat::s32, SampleFormat::s24_3}, {}, 6, 8, {}, 44100, 48000, {44100, 48000}};
   EXPECT_EQ(
       failure(card),
       "error: raw: hw:1,0 offers something else: raw.nChannels is 2, it has 6 to 8; raw.fS is 16000, it "

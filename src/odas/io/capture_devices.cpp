@@ -57,7 +57,7 @@ std::string devices_json(std::span<const CaptureDevice> devices) {
       one["problem"] = device.problem;
     } else {
       const CaptureOffer& offer = device.offer;
-      one["channels"] = {{"min", offer.min_channels}, {"max", offer.max_channels}};
+      one["channels"] = {{"min", offer.min_channels}, {"max", offer.max_channels}, {"asked", offer.channels}};
       one["rate"] = {{"min", offer.min_rate}, {"max", offer.max_rate}, {"usual", offer.rates}};
       one["formats"] = nlohmann::ordered_json::array();
       for (const SampleFormat format : offer.formats) one["formats"].push_back(name_of(format));

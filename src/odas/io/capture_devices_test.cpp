@@ -9,7 +9,7 @@ namespace {
 
 std::vector<CaptureDevice> three() {
   CaptureDevice card{"ALSA", "hw:CARD=Array,DEV=0", "ReSpeaker 4 Mic Array\nUSB Audio", "", {}, false};
-  card.offer = {{SampleFormat::s16}, {}, 6, 6, 16000, 16000, {16000}};
+  card.offer = {{SampleFormat::s16}, {}, 6, 6, {}, 16000, 16000, {16000}};
   CaptureDevice busy{"ALSA", "hw:CARD=PCH,DEV=0", "HDA Intel", "arecord (process 7) captures from it", {},
                      false};
   CaptureDevice source{"PulseAudio", "alsa_output.monitor", "Monitor", "", card.offer, true};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <span>
 #include <string_view>
 
 namespace odas {
@@ -20,6 +21,18 @@ std::string listed(const Items& items, Text text) {
 
 std::string span_text(int min, int max) {
   return min == max ? std::to_string(min) : std::to_string(min) + " to " + std::to_string(max);
+}
+
+bool contains(std::span<const int> all, int value) {
+  return std::find(all.begin(), all.end(), value) != all.end();
+}
+
+/// The least that is enough, or else the most.
+int nearest_channels(const CaptureOffer& offer, int wanted) {
+  for (const int n : offer.channels) {
+    if (n >= wanted) return n;
+  }
+  return std::clamp(wanted, offer.min_channels, offer.max_channels);
 }
 
 int nearest_rate(const CaptureOffer& offer, int wanted) {
@@ -40,15 +53,28 @@ std::string format_line(SampleFormat format) {
 
 }  // namespace
 
+bool CaptureOffer::has_channels(int n) const noexcept {
+  const bool asked = !channels.empty() && n <= kAskedChannels;
+  return n >= min_channels && n <= max_channels && (!asked || contains(channels, n));
+}
+
+bool CaptureOffer::has_rate(int hz) const noexcept {
+  const bool asked = !rates.empty() && contains(kUsualRates, hz);
+  return hz >= min_rate && hz <= max_rate && (!asked || contains(rates, hz));
+}
+
 std::string channels_text(const CaptureOffer& offer) {
-  return span_text(offer.min_channels, offer.max_channels);
+  const int range = offer.max_channels - offer.min_channels + 1;
+  const bool gaps = range <= kAskedChannels && static_cast<int>(offer.channels.size()) < range;
+  if (offer.channels.empty() || !gaps) return span_text(offer.min_channels, offer.max_channels);
+  return listed(offer.channels, [](int n) { return std::to_string(n); });
 }
 
 std::string rates_text(const CaptureOffer& offer) {
   const std::string usual = listed(offer.rates, [](int rate) { return std::to_string(rate); });
-  const std::string range = span_text(offer.min_rate, offer.max_rate);
+  std::string range = span_text(offer.min_rate, offer.max_rate);
   if (usual.empty()) return range;
-  return offer.rates.size() > 4 ? range : usual;
+  return offer.rates.size() == kUsualRates.size() ? range : usual;
 }
 
 std::string formats_text(const CaptureOffer& offer) {
@@ -86,8 +112,7 @@ std::string misfit(const std::string& device, const RawConfig& raw, const Captur
   };
   if (!channels) {
     add("raw.nChannels is " + std::to_string(raw.n_channels) + ", it has " + channels_text(offer),
-        "nChannels = " + std::to_string(std::clamp(raw.n_channels, offer.min_channels, offer.max_channels)) +
-            ";");
+        "nChannels = " + std::to_string(nearest_channels(offer, raw.n_channels)) + ";");
   }
   if (!rate) {
     add("raw.fS is " + std::to_string(raw.fs) + ", it has " + rates_text(offer) + " Hz",

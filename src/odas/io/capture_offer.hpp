@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,12 +16,18 @@ struct CaptureOffer {
   std::vector<SampleFormat> formats;       // that odas can read, the best first
   std::vector<std::string> other_formats;  // that it cannot
   int min_channels = 0, max_channels = 0;  // 0, 0: none
+  std::vector<int> channels;               // those among them that it has, as far as they were asked for
   int min_rate = 0, max_rate = 0;          // Hz
   std::vector<int> rates;                  // the usual ones among them
 
-  [[nodiscard]] bool has_channels(int n) const noexcept { return n >= min_channels && n <= max_channels; }
-  [[nodiscard]] bool has_rate(int hz) const noexcept { return hz >= min_rate && hz <= max_rate; }
+  [[nodiscard]] bool has_channels(int n) const noexcept;
+  [[nodiscard]] bool has_rate(int hz) const noexcept;
 };
+
+/// What devices are asked for one by one: between the least and the most that they have, there are gaps.
+inline constexpr std::array kUsualRates{8000,  16000, 22050, 32000,  44100,
+                                        48000, 88200, 96000, 176400, 192000};
+inline constexpr int kAskedChannels = 32;
 
 /// "1 to 8", "16000, 48000", "S16_LE, S32_LE".
 [[nodiscard]] std::string channels_text(const CaptureOffer& offer);

@@ -8,7 +8,7 @@ namespace {
 
 using F = SampleFormat;
 
-const CaptureOffer kEight{{F::s24_3, F::s16}, {}, 8, 8, 16000, 48000, {16000, 48000}};
+const CaptureOffer kEight{{F::s24_3, F::s16}, {}, 8, 8, {8}, 16000, 48000, {16000, 48000}};
 
 RawConfig raw_of(int channels, int rate, int bits, const std::string& format = "") {
   RawConfig raw;
@@ -42,6 +42,19 @@ TEST(CaptureOffer, names_only_what_does_not_fit) {
       misfit("hw:1,0", raw_of(8, 16000, 16, "FLOAT_LE"), kEight),
       "hw:1,0 offers something else: raw.format is \"FLOAT_LE\", it has S24_3LE, S16_LE. In raw, write: "
       "format = \"S24_3LE\";");
+}
+
+TEST(CaptureOffer, has_gaps_between_the_least_and_the_most) {
+  EXPECT_FALSE(kEight.has_rate(44100)) << "it was asked for";
+  EXPECT_TRUE(kEight.has_rate(20000)) << "nobody has asked for it: it may be";
+  CaptureOffer offer = kEight;
+  offer.min_channels = 2;
+  offer.channels = {2, 8};
+  EXPECT_FALSE(offer.has_channels(4));
+  EXPECT_EQ(
+      misfit("hw:1,0", raw_of(4, 44100, 16), offer),
+      "hw:1,0 offers something else: raw.nChannels is 4, it has 2, 8; raw.fS is 44100, it has 16000, 48000 "
+      "Hz. In raw, write: nChannels = 8; fS = 48000;");
 }
 
 TEST(CaptureOffer, proposes_a_section_that_fits_it) {

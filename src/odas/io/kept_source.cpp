@@ -35,7 +35,7 @@ KeptSource::KeptSource(std::unique_ptr<AudioSource> source, const RawConfig& raw
   thread_ = std::thread([this] { write_all(); });
 }
 
-KeptSource::~KeptSource() { static_cast<void>(finish()); }
+KeptSource::~KeptSource() { static_cast<void>(KeptSource::finish()); }
 
 ReadResult KeptSource::read(GridView<float> block) {
   ReadResult result = source_->read(block);

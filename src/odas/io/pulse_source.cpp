@@ -99,6 +99,8 @@ PulseSource::Refusal PulseSource::connect(Clock::time_point deadline, bool first
 
   CaptureOffer any = device->offer;  // the server converts, but it has no more microphones than there are
   any.min_channels = 1;
+  any.channels.clear();
+  any.rates.clear();
   any.min_rate = 1;
   any.max_rate = static_cast<int>(PA_RATE_MAX);
   any.formats = wanted_formats(raw_);

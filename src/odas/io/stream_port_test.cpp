@@ -102,6 +102,13 @@ TEST(ListenPort, lets_in_who_has_the_token_and_hands_on_what_follows_it) {
   EXPECT_EQ(receive(*stream, 5), "sound");
 }
 
+TEST(ListenPort, is_reached_by_its_name_too) {
+  ListenPort port("localhost", 0, "");
+  std::string notices;
+  const FileDescriptor sender = dial(port.port(), "localhost");
+  EXPECT_TRUE(poll(port, notices)) << notices;
+}
+
 TEST(ListenPort, listens_at_addresses_of_both_kinds) {
   try {
     ListenPort port("::1", 0, "");
