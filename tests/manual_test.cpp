@@ -146,5 +146,34 @@ TEST(Odaslive, has_its_options_in_help_man_page_and_completion) {
   EXPECT_EQ(bash_offers("_odaslive", {"odaslive", "-"}), expected);
 }
 
+TEST(Odasserver, has_its_options_in_help_man_page_and_completions) {
+  const std::regex option(R"((-{1,2}[a-z]+))");
+  std::string help = run_program({program_path("odasserver"), "--help"}).out;
+  help = help.substr(help.find("Options:"));
+  help.resize(help.find("\n\n"));
+  Words expected;
+  for (const std::string& names : all_matches(help, std::regex(R"(\n  (-[-a-z,]+))"))) {
+    expected.merge(all_matches(names, option));
+  }
+  EXPECT_TRUE(expected.contains("--allow"));
+  const std::string page = std::regex_replace(read("man/odasserver.1"), std::regex(R"(\\-)"), "-");
+  Words told;
+  for (const std::string& line : all_matches(page, std::regex(R"(\n\.BI?R? (-[^\n]*))"))) {
+    told.merge(all_matches(line, std::regex(R"((?:^|[ "])(-{1,2}[a-z]+))")));
+  }
+  EXPECT_EQ(told, expected);
+  EXPECT_EQ(bash_offers("_odasserver", {"odasserver", "-"}), expected);
+  for (const char* file : {"completions/odas.fish", "completions/_odas"}) {
+    const std::string text = read(file);
+    for (const std::string& name : expected) {
+      const bool is_fish = std::string_view(file).ends_with("fish");
+      const std::string said =
+          is_fish ? name.starts_with("--") ? "-l " + name.substr(2) : "-s " + name.substr(1) : name;
+      const std::string after = is_fish ? "odasserver [^\n]*" : "odasserver[^]*";
+      EXPECT_TRUE(std::regex_search(text, std::regex(after + said + "[ \\[,}]"))) << file << ' ' << name;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace odas::test

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# bash completion of odas and odaslive
+# bash completion of odas, odaslive and odasserver
 
 # Arrays by name, and files.
 _odas_configurations() {
@@ -52,5 +52,21 @@ _odaslive() {
   fi
 }
 
+_odasserver() {
+  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]}
+  COMPREPLY=()
+  case $prev in
+    -c | --config) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -f -X '!*.cfg' -- "$cur"; compgen -d -- "$cur") ;;
+    -o | --out) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -d -- "$cur") ;;
+    --listen | --allow) mapfile -t COMPREPLY < <(compgen -A hostname -- "$cur") ;;
+    --bits) mapfile -t COMPREPLY < <(compgen -W '8 16 24 32' -- "$cur") ;;
+    --tracked | --potential | --category | --separated | --postfiltered) mapfile -t COMPREPLY < <(compgen -W 'off 0' -- "$cur") ;;
+    --rate | --channels) ;;
+    *) mapfile -t COMPREPLY < <(compgen -W '-o --out -c --config --tracked --potential --category --separated
+      --postfiltered --rate --channels --bits --listen --allow -q --quiet -h --help --version' -- "$cur") ;;
+  esac
+}
+
 complete -F _odas odas
 complete -F _odaslive odaslive
+complete -F _odasserver odasserver

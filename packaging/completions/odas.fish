@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# fish completion of odas and odaslive
+# fish completion of odas, odaslive and odasserver
 complete -c odas -n __fish_use_subcommand -f -a run -d 'Process a recording'
 complete -c odas -n __fish_use_subcommand -f -a live -d 'Run a configuration as it stands'
 complete -c odas -n __fish_use_subcommand -f -a devices -d 'List microphones and what each offers'
@@ -32,3 +32,19 @@ complete -c odaslive -s c -r -d 'Configuration'
 complete -c odaslive -s s -d 'One thread'
 complete -c odaslive -s v -d 'Say what is done'
 complete -c odaslive -s h -d 'Help'
+
+complete -c odasserver -s o -l out -r -a '(__fish_complete_directories)' -d 'Folder for this run'
+complete -c odasserver -s c -l config -r -d 'Configuration of the sender'
+complete -c odasserver -x -l tracked -a 'off 0' -d 'Port of the tracks'
+complete -c odasserver -x -l potential -a 'off 0' -d 'Port of the potentials'
+complete -c odasserver -x -l category -a 'off 0' -d 'Port of the categories'
+complete -c odasserver -x -l separated -a 'off 0' -d 'Port of the separated voices'
+complete -c odasserver -x -l postfiltered -a 'off 0' -d 'Port of the post-filtered voices'
+complete -c odasserver -x -l rate -d 'Rate of the sound'
+complete -c odasserver -x -l channels -d 'Channels of the sound'
+complete -c odasserver -x -l bits -a '8 16 24 32' -d 'Bits of the sound'
+complete -c odasserver -x -l listen -a '(__fish_print_hostnames)' -d 'Address to listen at'
+complete -c odasserver -x -l allow -a '(__fish_print_hostnames)' -d 'Who may send from another machine'
+complete -c odasserver -f -s q -l quiet -d 'Do not show who is there'
+complete -c odasserver -f -s h -l help -d 'Help'
+complete -c odasserver -f -l version -d 'Version'

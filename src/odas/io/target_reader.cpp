@@ -14,8 +14,6 @@ using nlohmann::json;
 
 constexpr std::size_t kLongestTag = decltype(Target::tag)::kCapacity;
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\0'; }
-
 /// The direction of a target, of length 1: what a double holds may be too much for a float.
 std::optional<Vec3> direction_in(const json& item) {
   double v[3]{};
@@ -119,64 +117,10 @@ TargetList heed(const TargetMessage& message, const TargetList& before, std::siz
   return now;
 }
 
-void TargetReader::push(std::string_view piece) {
-  piece_.erase(0, at_);
-  at_ = 0;
-  piece_ += piece;
-}
-
-void TargetReader::reset() { *this = {}; }
-
-void TargetReader::begin() {
-  message_.clear();
-  depth_ = 0;
-  in_string_ = after_backslash_ = false;
-  last_ = 0;
-}
-
 std::optional<TargetMessage> TargetReader::next() {
-  while (at_ < piece_.size()) {
-    const char byte = piece_[at_];
-    if (depth_ == 0 && byte != '{') {
-      ++at_;
-      if (in_garbage_ || is_space(byte)) continue;
-      in_garbage_ = true;
-      return refused("is no JSON object");
-    }
-    const bool may_open = last_ == 0 || last_ == '[' || last_ == ',' || last_ == ':';
-    if (byte == '{' && !in_string_ && !may_open) {
-      begin();
-      return refused("is cut off");
-    }
-    ++at_;
-    if (ends_with(byte)) {
-      const TargetMessage message = read_targets(message_);
-      begin();
-      return message;
-    }
-    if (message_.size() >= kLongest) {
-      begin();
-      in_garbage_ = true;
-      return refused("has more than 65536 bytes");
-    }
-  }
-  return std::nullopt;
-}
-
-bool TargetReader::ends_with(char byte) {
-  in_garbage_ = false;
-  message_ += byte;
-  if (in_string_) {
-    if (!after_backslash_ && byte == '"') in_string_ = false;
-    after_backslash_ = !after_backslash_ && byte == '\\';
-    return false;
-  }
-  if (is_space(byte)) return false;
-  last_ = byte;
-  in_string_ = byte == '"';
-  if (byte == '{') ++depth_;
-  if (byte == '}') --depth_;
-  return depth_ == 0;
+  const std::optional<JsonCutter::Cut> cut = cutter_.next();
+  if (!cut) return std::nullopt;
+  return cut->fault != nullptr ? refused(cut->fault) : read_targets(cut->text);
 }
 
 }  // namespace odas

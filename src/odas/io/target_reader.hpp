@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "odas/io/json_cutter.hpp"
 #include "odas/tracking/target.hpp"
 
 namespace odas {
@@ -31,36 +32,21 @@ struct TargetMessage {
 /// The targets once a good message has been heeded. `surplus`: how many there was no room for.
 [[nodiscard]] TargetList heed(const TargetMessage& message, const TargetList& before, std::size_t& surplus);
 
-/// Messages one after another, with or without space between them, that arrive in pieces of any size.
-///
-/// Method: a message ends where its braces are even (those within strings do not count). A brace opens where
-/// no value can stand: the message before it was cut, and a new one begins. What stands outside of braces,
-/// and what grows over kLongest, is a fault, and reading goes on at the next brace.
-/// Cost: each byte is looked at once, and parsed once; at most kLongest bytes and the last piece are held.
+/// Messages one after another, with or without space between them, that arrive in pieces of any size. What is
+/// no message is one with a fault, and reading goes on (JsonCutter).
 class TargetReader {
  public:
-  static constexpr std::size_t kLongest = 65536;  // bytes of a message
+  static constexpr std::size_t kLongest = JsonCutter::kLongest;  // bytes of a message
 
   /// A piece of what arrives. Ask `next` until it has no more before the next piece.
-  void push(std::string_view piece);
+  void push(std::string_view piece) { cutter_.push(piece); }
   /// The next whole message, good or not; none: more bytes are needed.
   [[nodiscard]] std::optional<TargetMessage> next();
   /// Forgets what has arrived: another peer is speaking.
-  void reset();
+  void reset() { cutter_.reset(); }
 
  private:
-  /// Looks at one byte; true if a message ends with it.
-  bool ends_with(char byte);
-  void begin();
-
-  std::string piece_;  // what has been pushed and not been looked at, from at_ on
-  std::size_t at_ = 0;
-  std::string message_;  // from its opening brace on
-  int depth_ = 0;        // open braces; 0: between messages
-  bool in_string_ = false;
-  bool after_backslash_ = false;
-  char last_ = 0;            // last byte of the message that is no space, outside of strings
-  bool in_garbage_ = false;  // between messages, and it has been said
+  JsonCutter cutter_;
 };
 
 }  // namespace odas

@@ -10,7 +10,6 @@
 #include <netinet/tcp.h>
 
 #include "odas/base/error.hpp"
-#include "odas/io/net_address.hpp"
 
 namespace odas {
 namespace {
@@ -66,7 +65,7 @@ std::optional<TcpClient> TcpListener::accept() {
                                   SOCK_NONBLOCK | SOCK_CLOEXEC));
   if (!socket.open()) return std::nullopt;
   set_on(socket.get(), IPPROTO_TCP, TCP_NODELAY);
-  return TcpClient{std::move(socket), peer.text()};
+  return TcpClient{std::move(socket), peer.text(), peer};
 }
 
 TokenGate::TokenGate(std::string token)

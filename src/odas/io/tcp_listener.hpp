@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "odas/io/file_descriptor.hpp"
+#include "odas/io/net_address.hpp"
 
 namespace odas {
 
@@ -13,6 +14,7 @@ namespace odas {
 struct TcpClient {
   FileDescriptor socket;
   std::string from;  // "192.168.0.7:51234"
+  NetAddress address{};
 };
 
 /// Waits for clients without waiting: `accept` gives who has come.
