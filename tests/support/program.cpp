@@ -82,8 +82,9 @@ ProgramRun run_program(const std::vector<std::string>& command, const ProgramOpt
   while (channels[0].fd >= 0 || channels[1].fd >= 0) {
     poll(channels.data(), channels.size(), options.interrupt_when && !interrupted ? 2 : 100);
     for (std::size_t i = 0; i < channels.size(); ++i) {
-      if (channels[i].fd >= 0 && channels[i].revents != 0 && !take(channels[i].fd, *texts[i]))
-        channels[i].fd = -1;
+      if (channels[i].fd < 0 || channels[i].revents == 0) continue;
+      if (!take(channels[i].fd, *texts[i])) channels[i].fd = -1;
+      if (i == 1 && options.hear) options.hear(run.err);
     }
     if (options.interrupt_when && !interrupted && options.interrupt_when()) {
       kill(child, SIGINT);

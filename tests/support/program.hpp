@@ -28,8 +28,9 @@ struct ProgramOptions {
   std::function<bool()> interrupt_when{};       // asked every few ms; SIGINT (Ctrl-C) is sent once it is true
   /// "NAME=value", beside those of the test.
   std::vector<std::string> environment{};
-  std::filesystem::path input{};  // its standard input; empty: nothing
-  int seconds = 60;               // then the program is killed
+  std::filesystem::path input{};                       // its standard input; empty: nothing
+  std::function<void(const std::string& err)> hear{};  // told all of stderr so far, whenever there is more
+  int seconds = 60;                                    // then the program is killed
 };
 
 /// Runs a program as a user would, without a shell, and waits for its end.

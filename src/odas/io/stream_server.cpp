@@ -19,6 +19,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kPieceSize = std::size_t{64} * 1024;
 constexpr int kPieces = 8;  // of one port before the others have their turn
 constexpr std::chrono::seconds kBetweenRefusals{10};
+constexpr std::chrono::seconds kFarewell{1};  // for what has come already
 
 std::size_t index_of(Stream stream) { return static_cast<std::size_t>(stream); }
 
@@ -171,10 +172,14 @@ void StreamServer::say(const std::string& what) const {
   if (config_.say) config_.say(what);
 }
 
-IoStatus StreamServer::step(std::chrono::milliseconds patience) {
+bool StreamServer::is_asked(std::chrono::milliseconds patience) const {
   std::vector<pollfd> asked;
   for (const auto& port : ports_) port->ask(asked);
-  ::poll(asked.data(), asked.size(), static_cast<int>(patience.count()));
+  return ::poll(asked.data(), asked.size(), static_cast<int>(patience.count())) > 0;
+}
+
+IoStatus StreamServer::step(std::chrono::milliseconds patience) {
+  static_cast<void>(is_asked(patience));
   for (const auto& port : ports_) {
     if (IoStatus status = port->step(); !status.ok()) return status;
   }
@@ -216,6 +221,9 @@ IoStatus StreamServer::flush() {
 
 IoStatus StreamServer::close() {
   IoStatus all;
+  for (const auto until = Clock::now() + kFarewell; all.ok() && is_asked({}) && Clock::now() < until;) {
+    all = step({});
+  }
   for (const auto& port : ports_) {
     IoStatus status = port->part("was still there");
     if (all.ok()) all = std::move(status);

@@ -50,7 +50,7 @@ class StreamServer {
   IoStatus step(std::chrono::milliseconds patience);
   /// What was written so far is valid where it lies.
   IoStatus flush();
-  /// Finishes all recordings.
+  /// Takes what has come already, and finishes all recordings.
   IoStatus close();
 
   /// [slot], as they were told last, with the class of each; none once the sender has gone or is silent.
@@ -63,6 +63,8 @@ class StreamServer {
  private:
   class Port;
   IoStatus receive(const StreamRecord& record, std::string_view text);
+  /// Whether something is there to be taken, at once or in a while.
+  [[nodiscard]] bool is_asked(std::chrono::milliseconds patience) const;
   void say(const std::string& what) const;
 
   StreamServerConfig config_;
