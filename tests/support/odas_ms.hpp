@@ -89,8 +89,7 @@ class OdasMultiSourceFilter final : public MultiSourceFilter {
         window_(static_cast<std::size_t>(general.size.frame_size)) {}
 
  protected:
-  void smooth(const HannSmoother& window, std::span<const float> xi,
-              std::span<float> smoothed) const noexcept override {
+  void smooth(HannSmoother& window, std::span<const float> xi, std::span<float> smoothed) noexcept override {
     const std::size_t frame = values_.size();
     for (std::size_t n = 0; n < frame; ++n) values_.time()[n] = xi[std::min(n, frame - n)];
     std::fill(window_.time().begin(), window_.time().end(), 0.F);
@@ -108,7 +107,7 @@ class OdasMultiSourceFilter final : public MultiSourceFilter {
   }
 
  private:
-  mutable RealFft values_, window_;
+  RealFft values_, window_;
 };
 
 }  // namespace odas::test

@@ -78,21 +78,33 @@ void Mcra::update(std::size_t channel, std::span<const float> power) noexcept {
   const bool turn = !warming_up && ++age_[channel] >= period_;
   if (turn) age_[channel] = 0;
 
-  float* s = smoothed_[channel].data();
-  float* minimum = minimum_[channel].data();
-  float* next = next_minimum_[channel].data();
-  float* psd = psd_[channel].data();
-  for (std::size_t k = 0; k < power.size(); ++k) {
-    s[k] += alpha_s * (over_bins_[k] - s[k]);
-    if (warming_up) {
+  // Each loop so that the compiler sees it has no branch and no two arrays in one place.
+  const std::size_t bins = power.size();
+  const float* __restrict p = power.data();
+  const float* __restrict over_bins = over_bins_.data();
+  float* __restrict s = smoothed_[channel].data();
+  float* __restrict minimum = minimum_[channel].data();
+  float* __restrict next = next_minimum_[channel].data();
+  float* __restrict psd = psd_[channel].data();
+  for (std::size_t k = 0; k < bins; ++k) s[k] += alpha_s * (over_bins[k] - s[k]);
+  if (warming_up) {
+    for (std::size_t k = 0; k < bins; ++k) {
       minimum[k] = next[k] = s[k];
-      psd[k] += alpha_d * (power[k] - psd[k]);
-      continue;
+      psd[k] += alpha_d * (p[k] - psd[k]);
     }
-    minimum[k] = std::min(turn ? next[k] : minimum[k], s[k]);
-    next[k] = turn ? s[k] : std::min(next[k], s[k]);
-    const bool noise = s[k] < delta_ * minimum[k] || psd[k] > s[k];
-    psd[k] += noise ? alpha_d * (power[k] - psd[k]) : 0;
+    return;
+  }
+  if (turn) {
+    std::copy_n(next, bins, minimum);
+    std::copy_n(s, bins, next);
+  }
+  const float delta = delta_;
+  for (std::size_t k = 0; k < bins; ++k) {
+    minimum[k] = s[k] < minimum[k] ? s[k] : minimum[k];
+    next[k] = s[k] < next[k] ? s[k] : next[k];
+    const float step = alpha_d * (p[k] - psd[k]);
+    const float if_quiet = s[k] < delta * minimum[k] ? step : 0;
+    psd[k] += psd[k] > s[k] ? step : if_quiet;
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -11,8 +12,8 @@ namespace odas {
 /// with a Hann window of `width` points (without its zero ends) whose sum is 1.
 ///
 /// Method: a Hann window is a constant less a cosine, so one running sum of the values and one of the values
-///   times a rotating phase do for any width. Cost: O(frame + width), in double: the values may span many
-///   decades.
+///   times a rotating phase do for any width; in double, for the values may span many decades. A narrow
+///   window is summed as it is. Cost: O(frame + width).
 /// Shapes: [bin], bin = frame / 2 + 1.
 class HannSmoother {
  public:
@@ -21,13 +22,18 @@ class HannSmoother {
 
   [[nodiscard]] std::size_t width() const noexcept { return width_; }
 
-  void smooth(std::span<const float> values, std::span<float> smoothed) const noexcept;
+  void smooth(std::span<const float> values, std::span<float> smoothed) noexcept;
 
  private:
+  void sum_up(std::span<float> smoothed) const noexcept;
+  void slide(std::span<float> smoothed) const noexcept;
+
   std::size_t width_;
-  std::size_t frame_size_;
-  std::vector<double> cosines_;  // [width + 1]: one turn
-  std::vector<double> sines_;
+  std::vector<float> window_;           // [width]
+  std::vector<double> cosines_;         // [width + 1]: one turn
+  std::vector<double> sines_;           // [width + 1]
+  std::vector<std::uint32_t> sources_;  // [bin + width - 1]: the bin that stands there
+  std::vector<float> extended_;         // [bin + width - 1]: the values, mirrored at both ends
 };
 
 }  // namespace odas

@@ -53,8 +53,7 @@ class MultiSourceFilter : public PostFilter {
 
  protected:
   /// h * xi. Virtual for one test alone, that of ODAS's rounding.
-  virtual void smooth(const HannSmoother& window, std::span<const float> xi,
-                      std::span<float> smoothed) const noexcept {
+  virtual void smooth(HannSmoother& window, std::span<const float> xi, std::span<float> smoothed) noexcept {
     window.smooth(xi, smoothed);
   }
 
