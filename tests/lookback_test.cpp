@@ -130,7 +130,8 @@ TEST(FirstSyllable, is_there_in_the_shared_scenes_in_19_of_20_utterances_that_ar
        {Case{"rsp4_static1", "respeaker_usb_4_mic"}, Case{"rsp4_static2", "respeaker_usb_4_mic"},
         Case{"rsp4_moving1", "respeaker_usb_4_mic"}, Case{"rsp4_cross2", "respeaker_usb_4_mic"},
         Case{"rsp4_noisy1", "respeaker_usb_4_mic"}, Case{"uma7_static2", "minidsp_uma8"},
-        Case{"uma7_static4", "minidsp_uma8"}, Case{"cma16_static2", "azimut3_closed_16"}}) {
+        Case{"uma7_static4", "minidsp_uma8"}, Case{"oma16_static2", "azimut3_open_16"},
+        Case{"cma16_static2", "azimut3_closed_16"}}) {
     const fs::path folder = *shared / "scenes" / c.scene;
     const KnownScene scene = read_truth(folder);
     const Grid<float> mics = read_mics(folder / "mics.wav");
