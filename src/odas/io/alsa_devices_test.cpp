@@ -2,7 +2,9 @@
 #include "odas/io/alsa_devices.hpp"
 
 #include <cerrno>
+#include <cstdlib>
 
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 
 namespace odas {
@@ -56,13 +58,23 @@ TEST(AlsaDevices, name_who_holds_one) {
             std::string::npos);
 }
 
-TEST(AlsaDevices, are_those_of_this_machine_and_no_converters) {
+TEST(AlsaDevices, are_those_that_show_themselves_and_are_no_converters) {
+  const test::Scratch scratch;
+  test::write_file(scratch / "asound.conf",
+                   "pcm.array8 { type null hint { show on description \"An array\" } }\n"
+                   "pcm.samplerate { type null hint { show on description \"A converter\" } }\n"
+                   "pcm.hidden { type null }\n");
+  ::setenv("ALSA_CONFIG_PATH", (scratch / "asound.conf").c_str(), 1);
   std::string fault;
+  std::vector<std::string> names;
   for (const CaptureDevice& device : list_alsa_devices(fault)) {
     EXPECT_EQ(device.system, "ALSA");
-    EXPECT_NE(device.name, "null");
-    EXPECT_FALSE(device.name.starts_with("plughw")) << device.name;
+    if (device.name.starts_with("hw:")) continue;  // a card of this machine
+    EXPECT_EQ(device.description, "An array");
+    names.push_back(device.name);
   }
+  ::unsetenv("ALSA_CONFIG_PATH");
+  EXPECT_EQ(names, std::vector<std::string>{"array8"});
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ class StuckWriter : public ByteWriter {
 TEST(KeptSource, never_makes_a_live_source_wait_for_the_disk) {
   std::atomic<bool> go{false};
   std::string bytes;
-  auto live = std::make_unique<test::MemorySource>(exact(128 * 1000, 16));
+  auto live = std::make_unique<test::MemorySource>(exact(128000, 16));
   live->live_source = true;
   KeptSource source(std::move(live), raw_to(""), std::make_unique<StuckWriter>(go, bytes), false);
   Grid<float> block(3, 128);
