@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "configured_run.hpp"
 
-#include <array>
 #include <cstdio>
 #include <optional>
+
+#include <fmt/format.h>
 
 #include "odas/config/reader.hpp"
 #include "odas/engine/live.hpp"
@@ -30,7 +31,9 @@ RunSummary run_configuration(const std::string& file, const ConfiguredRun& how, 
     // The sinks come last: nothing is overwritten for a run that cannot start.
     const std::unique_ptr<AudioSource> source = make_source(config.raw);
     Pipeline pipeline(config.pipeline);
-    const auto sinks = make_sinks(config, {.stop = &stop});
+    const auto sinks = make_sinks(
+        config,
+        {.live = source->live(), .stop = &stop, .say = [&](const std::string& what) { say(program, what); }});
     std::vector<Sink*> all;
     for (const auto& sink : sinks) all.push_back(sink.get());
     const auto heartbeat = ServiceHeartbeat::from_environment();
@@ -63,19 +66,14 @@ int say_end(const RunSummary& summary, const std::string& program) {
 
 std::string describe(const Metrics& metrics) {
   const auto us = [](std::chrono::nanoseconds time) { return static_cast<double>(time.count()) / 1000; };
-  std::array<char, 320> text{};
-  std::snprintf(
-      text.data(), text.size(),
-      "%llu hops, %.2f s of sound; a hop took %.0f us (median), %.0f us (p99), %.0f us (longest): "
-      "%.2f %% of real time\n%llu hops dropped, %llu blocks and %llu frames lost, %llu samples clipped, %llu "
-      "not finite",
-      static_cast<unsigned long long>(metrics.hops), metrics.sound_seconds,
-      us(metrics.hop_time.quantile(0.5)), us(metrics.hop_time.quantile(0.99)), us(metrics.hop_time.max()),
-      100 * metrics.real_time_share(), static_cast<unsigned long long>(metrics.dropped_hops),
-      static_cast<unsigned long long>(metrics.overruns), static_cast<unsigned long long>(metrics.lost_frames),
-      static_cast<unsigned long long>(metrics.clipped_samples),
-      static_cast<unsigned long long>(metrics.non_finite_samples));
-  return text.data();
+  return fmt::format(
+      "{} hops, {:.2f} s of sound; a hop took {:.0f} us (median), {:.0f} us (p99), {:.0f} us (longest): "
+      "{:.2f} % of real time\n"
+      "{} hops dropped, {} lost by peers; {} blocks and {} frames of the source lost; {} samples clipped, {} not finite",
+      metrics.hops, metrics.sound_seconds, us(metrics.hop_time.quantile(0.5)),
+      us(metrics.hop_time.quantile(0.99)), us(metrics.hop_time.max()), 100 * metrics.real_time_share(),
+      metrics.dropped_hops, metrics.lost_records, metrics.overruns, metrics.lost_frames, metrics.clipped_samples,
+      metrics.non_finite_samples);
 }
 
 }  // namespace odas

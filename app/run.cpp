@@ -62,7 +62,7 @@ fs::path prepare_folder(const Arguments& arguments) {
 
 /// The outputs of the configuration do not count here: what is computed is what this command writes.
 Pipeline make_pipeline(LoadedConfiguration& loaded, bool postfiltered) {
-  loaded.config.pipeline.wanted = {true, true, true, postfiltered};
+  loaded.config.pipeline.wanted = {true, true, true, postfiltered, loaded.config.pipeline.classify.in_tracks};
   try {
     return Pipeline(loaded.config.pipeline);
   } catch (const ConfigError& error) { throw loaded.locations.locate(error); }

@@ -16,6 +16,8 @@ Schema ClassifyConfig::schema() {
       field<&C::gamma>("gamma", "", kUnit, "weight of the new value in the share of voiced hops"),
       field<&C::phi_min>("phiMin", "", kNotNegative, "slope from which a pitch counts as moving"),
       field<&C::r0>("r0", "", kUnit, "share of voiced hops from which a source is speech"),
+      field<&C::in_tracks>("inTracks", "", kAny,
+                           "write the class into the tracks, too, which takes the separated voices"),
       field<&C::voicing_min>("voicingMin", "", kUnit,
                              "least height of a pitch's peak, 1 being a periodic sound; 0: any, as ODAS"),
   };

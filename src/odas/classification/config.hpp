@@ -19,6 +19,7 @@ struct ClassifyConfig {
   float gamma = 0.05F;
   float phi_min = 0.15F;
   float r0 = 0.2F;
+  bool in_tracks = false;
   float voicing_min = 0;
   static Schema schema();
 };

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <array>
 #include <filesystem>
 #include <map>
 
@@ -10,6 +9,8 @@ namespace odas {
 
 namespace {
 
+constexpr std::size_t kLongestDatagram = 65507;  // IPv4
+
 /// What the kind of an interface needs. Whether the rest can be looked at.
 bool check_interface(const std::string& path, const InterfaceConfig& interface, CheckReport& report) {
   if (!report.sound(path + ".type")) return false;
@@ -19,36 +20,28 @@ bool check_interface(const std::string& path, const InterfaceConfig& interface, 
       report.error(path + "." + key, "is missing; type = \"" + type + "\" needs it");
     }
   };
-  if (type == "file") needs("path", !interface.path.empty());
-  if (type == "socket") {
+  if (type == "file" || type == "voices") needs("path", !interface.path.empty());
+  if (type == "socket" || type == "udp") {
     needs("ip", !interface.ip.empty());
-    needs("port", interface.port != 0);
     if (interface.ip.starts_with('<')) {
       report.warning(path + ".ip", "is \"" + interface.ip + "\": put the address of the peer here");
     }
+  }
+  if (type == "socket" || type == "udp" || type == "socket_listen") needs("port", interface.port != 0);
+  // Beyond this machine a listener hears everybody: then the token tells friends from others.
+  if (type == "socket_listen" && !is_loopback_host(interface.ip) && interface.token.empty()) {
+    report.error(path + ".token", "is missing; whoever listens at " + interface.ip +
+                                      ", beyond this machine, needs a token that clients say first");
   }
   if (type == "soundcard_name") needs("devicename", !interface.devicename.empty());
   if (type == "pulseaudio") needs("source", !interface.source.empty());
   return true;
 }
 
-/// Beyond this machine a listener hears everybody: then the token tells friends from others.
-void check_listener(const std::string& path, const InterfaceConfig& interface, CheckReport& report) {
-  if (interface.type != "socket_listen") return;
-  if (interface.port == 0 && report.sound(path + ".port")) {
-    report.error(path + ".port", "is missing; type = \"socket_listen\" needs it");
-  }
-  if (!is_loopback_host(interface.ip) && interface.token.empty() && report.sound(path + ".token")) {
-    report.error(path + ".token", "is missing; whoever listens at " + interface.ip +
-                                      ", beyond this machine, needs a token that clients say first");
-  }
-}
-
 void check_source(const Configuration& config, CheckReport& report) {
   const InterfaceConfig& interface = config.raw.interface;
   check_interface("raw.record.interface", config.raw.record.interface, report);
   if (!check_interface("raw.interface", interface, report)) return;
-  check_listener("raw.interface", interface, report);
   const std::size_t names = interface.channelmap.size();
   if (interface.type == "pulseaudio" && names > 0 && report.sound("raw.nChannels") &&
       report.sound("raw.interface.channelmap") && names != static_cast<std::size_t>(config.raw.n_channels)) {
@@ -59,48 +52,97 @@ void check_source(const Configuration& config, CheckReport& report) {
 }
 
 void check_text(const std::string& path, const TextOutputConfig& output, bool binary, CheckReport& report) {
-  if (!check_interface(path + ".interface", output.interface, report)) return;
-  if (!report.sound(path + ".format") || output.interface.type == "blackhole") return;
-  const std::string text_formats = "must be \"json\" or \"jsonl\"";
-  if (output.format == "undefined") {
-    report.error(path + ".format", (report.written(path + ".format") ? "is \"undefined\"" : "is missing") +
-                                       (", but the interface is a " + output.interface.type) + "; " +
-                                       text_formats +
-                                       (binary && output.interface.type == "file" ? " or \"binary\"" : ""));
-  } else if (output.format == "binary" && !binary) {
-    report.error(path + ".format", "is \"binary\", which only ssl.potential can be; " + text_formats);
-  } else if (output.format == "binary" && output.interface.type != "file") {
-    report.error(path + ".format", "is \"binary\", which only a file can be; " + text_formats);
+  const std::string formats =
+      binary ? R"(must be "json", "jsonl" or "binary")" : R"(must be "json" or "jsonl")";
+  for (const Place& place : places_of(path, output)) {
+    const bool is_readable = check_interface(place.path, *place.interface, report);
+    // Its own format, where it has one; else that of the stream is at fault.
+    const std::string key = (place.interface->format.empty() ? path : place.path) + ".format";
+    const std::string& type = place.interface->type;
+    if (!is_readable || !report.sound(key) || type == "blackhole") continue;
+    if (place.format == "undefined") {
+      report.error(key, (report.written(key) ? "is \"undefined\"" : "is missing") +
+                            (", but the interface is a " + type) + "; " + formats);
+    } else if (place.format == "binary" && !binary) {
+      report.error(key, "is \"binary\", which only ssl.potential can be; " + formats);
+    } else if (place.format == "binary" && type == "terminal") {
+      report.error(
+          key, R"(is "binary", which a terminal cannot show; must be "json" or "jsonl", or type = "stdout")");
+    }
   }
 }
 
-void check_audio(const std::string& path, const InterfaceConfig& interface, CheckReport& report) {
-  if (check_interface(path, interface, report) && interface.type == "terminal") {
-    report.error(path + ".type",
-                 "is \"terminal\", which cannot show sound; must be \"blackhole\", \"file\" or \"socket\"");
+void check_audio(const std::string& path, const AudioOutputConfig& output, std::size_t slots,
+                 CheckReport& report) {
+  for (const Place& place : places_of(path, output)) {
+    if (!check_interface(place.path, *place.interface, report)) continue;
+    const std::string& type = place.interface->type;
+    if (type == "terminal") {
+      report.error(place.path + ".type", R"(is "terminal", which cannot show sound; "stdout" writes it out)");
+    }
+    const std::size_t block =
+        slots * static_cast<std::size_t>(output.hop_size) * static_cast<std::size_t>(output.n_bits) / 8;
+    if (type == "udp" && block > kLongestDatagram && report.sound(path)) {
+      report.error(path + ".hopSize", "makes blocks of " + std::to_string(block) +
+                                          " bytes; a datagram holds " + std::to_string(kLongestDatagram));
+    }
   }
 }
 
-/// Two writers of one file would spoil it.
+/// All places of all outputs.
+std::vector<Place> outputs_of(const Configuration& config) {
+  std::vector<Place> all;
+  const auto add = [&](const char* path, const auto& output) {
+    for (Place& place : places_of(path, output)) all.push_back(std::move(place));
+  };
+  add("ssl.potential", config.potential);
+  add("sst.tracked", config.tracked);
+  add("sss.separated", config.separated);
+  add("sss.postfiltered", config.postfiltered);
+  add("classify.category", config.category);
+  return all;
+}
+
+/// Two writers of one file, one port or one standard output would spoil it.
 void check_paths(const Configuration& config, CheckReport& report) {
-  const std::array<std::pair<const char*, const InterfaceConfig*>, 7> all{{
-      {"raw.interface", &config.raw.interface},
-      {"raw.record.interface", &config.raw.record.interface},
-      {"ssl.potential.interface", &config.potential.interface},
-      {"sst.tracked.interface", &config.tracked.interface},
-      {"sss.separated.interface", &config.separated.interface},
-      {"sss.postfiltered.interface", &config.postfiltered.interface},
-      {"classify.category.interface", &config.category.interface},
-  }};
   std::map<std::string, std::string> owners;
-  for (const auto& [path, interface] : all) {
-    if (interface->type != "file" || interface->path.empty() || interface->path.starts_with("/dev/"))
-      continue;
-    const std::string file = std::filesystem::path(interface->path).lexically_normal().string();
-    const auto [owner, fresh] = owners.emplace(file, path);
+  const auto own = [&](const Place& place, const std::string& what, const char* key,
+                       const std::string& value) {
+    const auto [owner, fresh] = owners.emplace(what + value, place.path);
     if (!fresh) {
-      report.error(std::string(path) + ".path",
-                   "is \"" + interface->path + "\", the file of " + owner->second + " already");
+      report.error(place.path + key,
+                   "is \"" + value + "\", the " + what + " of " + owner->second + " already");
+    }
+  };
+  std::vector<Place> places{{"raw.interface", &config.raw.interface, ""},
+                            {"raw.record.interface", &config.raw.record.interface, ""},
+                            {"sst.control.interface", &config.control.interface, ""}};
+  for (Place& place : outputs_of(config)) places.push_back(std::move(place));
+  for (const Place& place : places) {
+    const InterfaceConfig& to = *place.interface;
+    const bool is_device = to.path.starts_with("/dev/");
+    if ((to.type == "file" || to.type == "voices") && !to.path.empty() && !is_device) {
+      own(place, to.type == "file" ? "file" : "folder", ".path",
+          std::filesystem::path(to.path).lexically_normal().string());
+    }
+    if (to.type == "socket_listen" && to.port != 0) own(place, "port", ".port", std::to_string(to.port));
+  }
+}
+
+/// Streams of bytes on standard output cannot share it; lines of text can, as in ODAS.
+void check_standard_output(const Configuration& config, CheckReport& report) {
+  std::string owner;
+  for (const Place& place : outputs_of(config)) {
+    if (place.interface->type != "stdout") continue;
+    if (!owner.empty()) {
+      report.error(place.path + ".type", "is \"stdout\", where " + owner + " goes already");
+    }
+    owner = place.path;
+  }
+  for (const Place& place : outputs_of(config)) {
+    if (place.interface->type == "terminal" && !owner.empty()) {
+      report.error(place.path + ".type",
+                   "is \"terminal\", which is standard output, where " + owner + " goes already");
     }
   }
 }
@@ -112,12 +154,12 @@ void check_interfaces(const Configuration& config, CheckReport& report) {
   check_text("ssl.potential", config.potential, true, report);
   check_text("sst.tracked", config.tracked, false, report);
   check_text("classify.category", config.category, false, report);
-  check_audio("sss.separated.interface", config.separated.interface, report);
-  check_audio("sss.postfiltered.interface", config.postfiltered.interface, report);
-  if (check_interface("sst.control.interface", config.control.interface, report)) {
-    check_listener("sst.control.interface", config.control.interface, report);
-  }
+  const std::size_t slots = config.pipeline.sst.slots();
+  check_audio("sss.separated", config.separated, slots, report);
+  check_audio("sss.postfiltered", config.postfiltered, slots, report);
+  check_interface("sst.control.interface", config.control.interface, report);
   check_paths(config, report);
+  check_standard_output(config, report);
 }
 
 }  // namespace odas

@@ -102,7 +102,7 @@ TEST(CheckInterfaces, refuse_pairs_that_cannot_be_written) {
   EXPECT_TRUE(errs(read_with(R"(sst: { tracked: { interface: { type = "terminal"; }; }; };)"),
                    "sst.tracked.format", "is missing, but the interface is a terminal"));
   EXPECT_TRUE(errs(with_text("ssl", "potential", "binary", "terminal"), "ssl.potential.format",
-                   "only a file can be"));
+                   "which a terminal cannot show"));
   EXPECT_TRUE(errs(with_text("sst", "tracked", "binary", "file"), "sst.tracked.format",
                    "which only ssl.potential can be"));
 }
@@ -134,6 +134,47 @@ TEST(CheckInterfaces, A_listener_beyond_this_machine_needs_a_token) {
   EXPECT_TRUE(control(R"(port = 9010;)").ok());
   EXPECT_TRUE(control(R"(ip = "::1"; port = 9010;)").ok());
   EXPECT_TRUE(errs(control(""), "sst.control.interface.port", "is missing"));
+}
+
+LoadedConfiguration with_places(const std::string& places) {
+  return read_with("sst: { tracked: { format = \"json\"; interfaces = (" + places + "); }; };");
+}
+
+TEST(CheckInterfaces, A_stream_may_go_to_many_places_each_with_a_format_of_its_own) {
+  const auto loaded = with_places(R"({ type = "socket"; ip = "studio.local"; port = 9000; },
+      { type = "file"; path = "tracks.jsonl"; format = "jsonl"; }, { type = "socket_listen"; port = 9100; },
+      { type = "udp"; ip = "::1"; port = 9200; }, { type = "stdout"; })");
+  ASSERT_TRUE(clean(loaded));
+  ASSERT_EQ(loaded.config.tracked.interfaces.size(), 5U);
+  const auto places = places_of("sst.tracked", loaded.config.tracked);
+  ASSERT_EQ(places.size(), 6U);
+  EXPECT_EQ(places[2].path, "sst.tracked.interfaces[1]");
+  EXPECT_EQ(places[1].format, "json");
+  EXPECT_EQ(places[2].format, "jsonl");
+  EXPECT_TRUE(loaded.config.pipeline.wanted.tracks) << "though its first interface is none";
+}
+
+TEST(CheckInterfaces, Each_place_is_held_to_what_it_can_be) {
+  EXPECT_TRUE(errs(with_places(R"({ type = "file"; path = "t"; format = "binary"; })"),
+                   "sst.tracked.interfaces[0].format", "which only ssl.potential can be"));
+  EXPECT_TRUE(
+      errs(with_places(R"({ type = "udp"; ip = "a"; })"), "sst.tracked.interfaces[0].port", "is missing"));
+  EXPECT_TRUE(errs(with_places(R"({ type = "socket_listen"; ip = "::"; port = 9000; })"),
+                   "sst.tracked.interfaces[0].token", "is missing"));
+  EXPECT_TRUE(errs(with_places(R"({ type = "file"; path = "t"; }, { type = "file"; path = "./t"; })"),
+                   "sst.tracked.interfaces[1].path", "the file of sst.tracked.interfaces[0] already"));
+  EXPECT_TRUE(errs(
+      with_places(R"({ type = "socket_listen"; port = 9000; }, { type = "socket_listen"; port = 9000; })"),
+      "sst.tracked.interfaces[1].port", "the port of sst.tracked.interfaces[0] already"));
+  EXPECT_TRUE(errs(with_places(R"({ type = "stdout"; }, { type = "terminal"; })"),
+                   "sst.tracked.interfaces[1].type", "where sst.tracked.interfaces[0] goes already"));
+  EXPECT_TRUE(clean(with_places(R"({ type = "terminal"; }, { type = "terminal"; })"))) << "as in ODAS";
+}
+
+TEST(CheckInterfaces, A_block_of_sound_must_fit_a_datagram) {
+  const auto loaded = read_with(R"(sss: { separated: { hopSize = 10000; nBits = 16;
+    interface: { type = "udp"; ip = "127.0.0.1"; port = 1; }; }; };)");
+  EXPECT_TRUE(errs(loaded, "sss.separated.hopSize", "makes blocks of 80000 bytes; a datagram holds 65507"));
 }
 
 }  // namespace

@@ -38,13 +38,12 @@ void check_configuration(const Configuration& config, const Locations& locations
 }
 
 Wanted wanted_of(const Configuration& config) {
-  const auto listens = [](const auto& output) { return output.interface.type != "blackhole"; };
   Wanted wanted;
-  wanted.potentials = listens(config.potential);
-  wanted.tracks = listens(config.tracked);
-  wanted.separated = listens(config.separated);
-  wanted.postfiltered = listens(config.postfiltered);
-  wanted.categories = listens(config.category);
+  wanted.potentials = is_wanted(config.potential);
+  wanted.tracks = is_wanted(config.tracked);
+  wanted.separated = is_wanted(config.separated);
+  wanted.postfiltered = is_wanted(config.postfiltered);
+  wanted.categories = is_wanted(config.category) || (config.pipeline.classify.in_tracks && wanted.tracks);
   return wanted;
 }
 

@@ -204,8 +204,10 @@ std::string describe_time(const Configuration& config, const Pipeline::Plan& pla
 }
 
 std::string end_of(const InterfaceConfig& interface) {
-  if (interface.type == "file") return interface.path;
-  if (interface.type == "socket") return interface.ip + ":" + std::to_string(interface.port);
+  if (interface.type == "file" || interface.type == "voices") return interface.path;
+  if (interface.port != 0) {
+    return (interface.ip.empty() ? "127.0.0.1" : interface.ip) + ":" + std::to_string(interface.port);
+  }
   if (interface.type == "soundcard") {
     return "hw:" + std::to_string(interface.card) + "," + std::to_string(interface.device);
   }
@@ -220,10 +222,23 @@ std::string way_of(const InterfaceConfig& interface, const std::string& form) {
   return interface.type + (end.empty() ? "" : " " + end) + ", " + form;
 }
 
-std::string form_of(const AudioOutputConfig& output, std::size_t slots) {
-  const bool wav = output.interface.path.ends_with(".wav");
+std::string form_of(const AudioOutputConfig& output, const InterfaceConfig& to, std::size_t slots) {
+  if (to.type == "voices") return "a WAV for each";
+  const bool wav = to.path.ends_with(".wav");
   return whole(slots) + " channels, " + std::to_string(output.fs) + " Hz, " + std::to_string(output.n_bits) +
-         " bit" + (output.interface.type == "file" ? (wav ? ", WAV" : ", headerless") : "");
+         " bit" + (to.type == "file" ? (wav ? ", WAV" : ", headerless") : "");
+}
+
+/// A line for each place that a stream goes to; `form`: what it has there.
+template <class Output, class Form>
+std::string lines_of(const std::string& title, const Output& output, Form&& form) {
+  std::string text;
+  for (const Place& place : places_of("", output)) {
+    const InterfaceConfig& to = *place.interface;
+    if (to.type == "blackhole" && (!output.interfaces.empty() || !text.empty())) continue;
+    text += line(text.empty() ? title : "", way_of(to, form(place)));
+  }
+  return text.empty() ? line(title, way_of(output.interface, "")) : text;
 }
 
 std::string describe_ways(const Configuration& config) {
@@ -233,13 +248,17 @@ std::string describe_ways(const Configuration& config) {
   std::string text = "\nWays\n";
   text += line("source", source.type == "blackhole" ? "none: give a recording, odas run RECORDING"
                                                     : source.type + " " + end_of(source));
-  text += line("potentials", way_of(config.potential.interface, config.potential.format));
-  text += line("tracks", way_of(config.tracked.interface, config.tracked.format));
-  text += line("separated", way_of(config.separated.interface,
-                                   sss.mode_sep + ", " + form_of(config.separated, sst.slots())));
-  text += line("postfiltered", way_of(config.postfiltered.interface,
-                                      sss.mode_pf + ", " + form_of(config.postfiltered, sst.slots())));
-  text += line("categories", way_of(config.category.interface, config.category.format));
+  const auto format = [](const Place& place) { return place.format; };
+  const auto audio = [&](const AudioOutputConfig& output, const std::string& mode) {
+    return [&output, mode, slots = sst.slots()](const Place& place) {
+      return mode + ", " + form_of(output, *place.interface, slots);
+    };
+  };
+  text += lines_of("potentials", config.potential, format);
+  text += lines_of("tracks", config.tracked, format);
+  text += lines_of("separated", config.separated, audio(config.separated, sss.mode_sep));
+  text += lines_of("postfiltered", config.postfiltered, audio(config.postfiltered, sss.mode_pf));
+  text += lines_of("categories", config.category, format);
   std::string followed =
       sst.add == "dynamic" ? "up to " + whole(sst.slots()) + " sources, " + sst.mode : "targets only";
   for (const TargetConfig& target : sst.target) {

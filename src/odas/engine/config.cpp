@@ -3,17 +3,50 @@
 
 namespace odas {
 
-Schema InterfaceConfig::sink_schema() {
+namespace {
+
+/// The keys of a place that bytes go to.
+std::vector<Field> sink_fields(std::vector<std::string_view> types) {
   using C = InterfaceConfig;
-  static const std::vector<Field> fields{
+  return {
       field<&C::type>("type", "", kAny, "kind of sink; blackhole: nobody listens, so it is not computed",
-                      {"blackhole", "file", "socket", "terminal"}),
-      field<&C::path>("path", "", kAny, "file: its path"),
-      field<&C::ip>("ip", "", kAny, "socket: address of the peer"),
-      field<&C::port>("port", "", {0, 65535}, "socket: TCP port of the peer"),
+                      std::move(types)),
+      field<&C::path>("path", "", kAny, "file: its path; voices: a folder"),
+      field<&C::ip>(
+          "ip", "", kAny,
+          "socket, udp: address or name of the peer; socket_listen: where to listen, absent: 127.0.0.1"),
+      field<&C::port>("port", "", {0, 65535}, "socket, socket_listen: TCP port; udp: UDP port"),
+      field<&C::token>("token", "", kAny,
+                       "socket_listen: what clients must say first; required beyond this machine"),
   };
+}
+
+}  // namespace
+
+Schema InterfaceConfig::text_schema() {
+  static const std::vector<Field> fields =
+      sink_fields({"blackhole", "file", "socket", "socket_listen", "udp", "terminal", "stdout"});
   return fields;
 }
+
+Schema InterfaceConfig::audio_schema() {
+  static const std::vector<Field> fields =
+      sink_fields({"blackhole", "file", "voices", "socket", "socket_listen", "udp", "terminal", "stdout"});
+  return fields;
+}
+
+Schema TextPlaceConfig::schema() {
+  static const std::vector<Field> fields = [] {
+    const Schema common = text_schema();
+    std::vector<Field> all(common.begin(), common.end());
+    all.push_back(field<&InterfaceConfig::format>("format", "", kAny, "absent: that of the stream",
+                                                  {"", "json", "jsonl", "binary"}));
+    return all;
+  }();
+  return fields;
+}
+
+Schema AudioPlaceConfig::schema() { return audio_schema(); }
 
 Schema InterfaceConfig::control_schema() {
   using C = InterfaceConfig;
@@ -41,11 +74,6 @@ Field interface_field(std::string_view meaning) {
   return place;
 }
 
-template <class Output>
-Field sink_field() {
-  return interface_field<Output, InterfaceConfig::sink_schema>("where it goes");
-}
-
 }  // namespace
 
 Schema MappingConfig::schema() {
@@ -62,7 +90,8 @@ Schema TextOutputConfig::schema() {
   static const std::vector<Field> fields{
       field<&C::format>("format", "", kAny, "json: ODAS's own; jsonl: one object a line; binary: four floats",
                         {"undefined", "json", "jsonl", "binary"}),
-      sink_field<C>(),
+      interface_field<C, InterfaceConfig::text_schema>("where it goes"),
+      field<&C::interfaces>("interfaces", "", kAny, "where else it goes: a list of any length"),
   };
   return fields;
 }
@@ -83,7 +112,8 @@ Schema AudioOutputConfig::schema() {
           .defaults_to("general.size.hopSize"),
       field<&C::n_bits>("nBits", "bits", {8, 32}, "8, 16, 24 or 32: signed, little-endian, packed"),
       ignored_field("gain", "never read by ODAS; see sss.gain_sep and sss.gain_pf"),
-      sink_field<C>(),
+      interface_field<C, InterfaceConfig::audio_schema>("where it goes"),
+      field<&C::interfaces>("interfaces", "", kAny, "where else it goes: a list of any length"),
   };
   return fields;
 }
@@ -122,6 +152,28 @@ struct CategoryGroup {
 };
 
 }  // namespace
+
+namespace {
+
+template <class Output>
+std::vector<Place> all_places(const std::string& path, const Output& output, const std::string& format) {
+  std::vector<Place> places{{path + ".interface", &output.interface, format}};
+  for (std::size_t i = 0; i < output.interfaces.size(); ++i) {
+    const InterfaceConfig& one = output.interfaces[i];
+    places.push_back(
+        {path + ".interfaces[" + std::to_string(i) + "]", &one, one.format.empty() ? format : one.format});
+  }
+  return places;
+}
+
+}  // namespace
+
+std::vector<Place> places_of(const std::string& path, const TextOutputConfig& output) {
+  return all_places(path, output, output.format);
+}
+std::vector<Place> places_of(const std::string& path, const AudioOutputConfig& output) {
+  return all_places(path, output, "");
+}
 
 std::vector<Section> sections_of(Configuration& c) {
   return {

@@ -16,6 +16,7 @@ struct InterfaceConfig {
   std::string ip;                       // sockets
   int port = 0;                         // sockets
   std::string token;                    // socket_listen
+  std::string format;                   // one of several places for text: its own format
   int card = 0, device = 0;             // soundcard: ALSA hw:card,device
   std::string devicename;               // soundcard_name: ALSA PCM name
   std::string source;                   // pulseaudio
@@ -24,7 +25,8 @@ struct InterfaceConfig {
   bool reconnect = false;               // sockets, as source: a peer that closes is waited for
   static Schema schema();               // of a source
   static Schema record_schema();
-  static Schema sink_schema();
+  static Schema text_schema();   // of a sink of text
+  static Schema audio_schema();  // of a sink of audio
   static Schema control_schema();
 };
 
@@ -52,10 +54,19 @@ struct MappingConfig {
   static Schema schema();
 };
 
+/// One more place that a stream goes to; text may have another format there.
+struct TextPlaceConfig : InterfaceConfig {
+  static Schema schema();
+};
+struct AudioPlaceConfig : InterfaceConfig {
+  static Schema schema();
+};
+
 /// A stream of text or numbers: `ssl.potential`, `sst.tracked`, `classify.category`.
 struct TextOutputConfig {
   std::string format = "undefined";
   InterfaceConfig interface;
+  std::vector<TextPlaceConfig> interfaces;
   static Schema schema();
 };
 
@@ -65,6 +76,7 @@ struct AudioOutputConfig {
   int hop_size = 128;
   int n_bits = 16;
   InterfaceConfig interface;
+  std::vector<AudioPlaceConfig> interfaces;
   static Schema schema();
 };
 
@@ -86,6 +98,24 @@ struct Configuration {
   AudioOutputConfig separated;
   AudioOutputConfig postfiltered;
 };
+
+/// Where a stream goes: one of its interfaces, blackholes too.
+struct Place {
+  std::string path;  // "sst.tracked.interfaces[1]"
+  const InterfaceConfig* interface = nullptr;
+  std::string format;  // of text
+};
+[[nodiscard]] std::vector<Place> places_of(const std::string& path, const TextOutputConfig& output);
+[[nodiscard]] std::vector<Place> places_of(const std::string& path, const AudioOutputConfig& output);
+
+/// Whether somebody listens.
+template <class Output>
+[[nodiscard]] bool is_wanted(const Output& output) {
+  for (const Place& place : places_of("", output)) {
+    if (place.interface->type != "blackhole") return true;
+  }
+  return false;
+}
 
 /// One section of the file, and the structs that its keys belong to.
 struct Section {

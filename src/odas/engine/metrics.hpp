@@ -31,6 +31,7 @@ struct Metrics {
   double sound_seconds = 0;              // of sound processed
   TimeHistogram hop_time;                // of the engine's thread
   std::uint64_t dropped_hops = 0;        // that a sink was too slow for
+  std::uint64_t lost_records = 0;        // hops (of audio: blocks) that the peers of outputs did not get
   std::uint64_t overruns = 0;            // blocks of a live source that the engine was too slow for
   std::uint64_t lost_frames = 0;         // of the source, in these blocks and before they reached us
   std::uint64_t skipped_hops = 0;        // stamps without a hop, for what was lost

@@ -33,6 +33,9 @@ class Sink {
   /// Finishes what is written. Called once, also after a failure: what is there must be whole.
   virtual IoStatus close() { return {}; }
 
+  /// Hops (of audio: blocks) that nobody got: a peer was absent or did not read.
+  [[nodiscard]] virtual std::uint64_t lost_records() const noexcept { return 0; }
+
   /// Samples that were louder than full scale, and were held at it.
   [[nodiscard]] virtual std::uint64_t clipped_samples() const noexcept { return 0; }
 };

@@ -56,6 +56,12 @@ void SinkGroup::close() {
 
 void SinkGroup::report(RunSummary& summary, const std::function<void(std::string)>& warn) const {
   for (const Member& member : members_) {
+    const std::uint64_t lost = member.sink->lost_records();
+    summary.metrics.lost_records += lost;
+    if (lost > 0) {
+      warn(member.sink->name() + ": " + std::to_string(lost) +
+           " hops (of audio: blocks) were lost: nobody was there, or did not read in time");
+    }
     const std::uint64_t clipped = member.sink->clipped_samples();
     summary.metrics.clipped_samples += clipped;
     if (clipped > 0) {

@@ -36,6 +36,7 @@ class AudioSink : public Sink {
   IoStatus flush() override { return writer_->flush(); }
   IoStatus close() override;
   [[nodiscard]] std::uint64_t clipped_samples() const noexcept override { return clipped_; }
+  [[nodiscard]] std::uint64_t lost_records() const noexcept override { return writer_->lost_records(); }
 
  private:
   IoStatus push(GridView<const float> hop);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -21,6 +22,8 @@ class ByteWriter {
   virtual IoStatus flush() = 0;
   /// Finishes. Nothing is written after it, nor after a failure.
   virtual IoStatus close() = 0;
+  /// Records that were given up, for want of a reader or because of a slow one.
+  [[nodiscard]] virtual std::uint64_t lost_records() const noexcept { return 0; }
 };
 
 }  // namespace odas

@@ -22,6 +22,8 @@ class HopEncoder {
 /// ODAS's own JSON, byte for byte: all rows of all hops, empty slots too.
 [[nodiscard]] std::unique_ptr<HopEncoder> make_odas_json_potentials();
 [[nodiscard]] std::unique_ptr<HopEncoder> make_odas_json_tracks();
+/// The classes of the tracks; an empty slot is "nonspeech", as it is in ODAS before its first track.
+[[nodiscard]] std::unique_ptr<HopEncoder> make_odas_json_categories();
 
 /// ODAS's binary potentials: x, y, z, E of each as 32-bit floats, little-endian; nothing else.
 [[nodiscard]] std::unique_ptr<HopEncoder> make_binary_potentials();
@@ -35,5 +37,6 @@ struct StreamClock {
 /// JSON lines: one object a line, with angles and times; empty slots are left out.
 [[nodiscard]] std::unique_ptr<HopEncoder> make_json_lines_potentials(const StreamClock& clock);
 [[nodiscard]] std::unique_ptr<HopEncoder> make_json_lines_tracks(const StreamClock& clock);
+[[nodiscard]] std::unique_ptr<HopEncoder> make_json_lines_categories(const StreamClock& clock);
 
 }  // namespace odas

@@ -105,6 +105,13 @@ class JsonLinesPotentials : public HopEncoder {
   TextBuffer text_{kUsualSize};
 };
 
+/// The class, where somebody has asked for it.
+void put_class(TextBuffer& text, Category category) {
+  if (category == Category::undefined) return;
+  text.put(",\"class\":\"");
+  text.put(category == Category::speech ? "speech\"" : "nonspeech\"");
+}
+
 class JsonLinesTracks : public HopEncoder {
  public:
   explicit JsonLinesTracks(const StreamClock& clock) : clock_(clock) {}
@@ -123,6 +130,31 @@ class JsonLinesTracks : public HopEncoder {
       put_direction(text_, track.direction);
       text_.put(",\"activity\":");
       text_.put_fixed(track.activity);
+      put_class(text_, track.category);
+      text_.put('}');
+    }
+    return finish(text_);
+  }
+
+ private:
+  StreamClock clock_;
+  TextBuffer text_{kUsualSize};
+};
+
+class JsonLinesCategories : public HopEncoder {
+ public:
+  explicit JsonLinesCategories(const StreamClock& clock) : clock_(clock) {}
+  [[nodiscard]] Wanted wanted() const noexcept override { return kTracks; }
+  [[nodiscard]] std::span<const char> encode(const HopResult& hop) override {
+    put_head(text_, hop.time, clock_);
+    bool first = true;
+    for (std::size_t slot = 0; slot < hop.tracks.size(); ++slot) {
+      const Track& track = hop.tracks[slot];
+      if (track.id == 0) continue;
+      put_slot(text_, slot, first);
+      text_.put(",\"id\":");
+      text_.put_integer(track.id);
+      put_class(text_, track.category);
       text_.put('}');
     }
     return finish(text_);
@@ -140,6 +172,10 @@ std::unique_ptr<HopEncoder> make_json_lines_potentials(const StreamClock& clock)
 }
 std::unique_ptr<HopEncoder> make_json_lines_tracks(const StreamClock& clock) {
   return std::make_unique<JsonLinesTracks>(clock);
+}
+
+std::unique_ptr<HopEncoder> make_json_lines_categories(const StreamClock& clock) {
+  return std::make_unique<JsonLinesCategories>(clock);
 }
 
 }  // namespace odas

@@ -32,6 +32,27 @@ TEST(JsonLines, of_tracks_is_one_line_with_angles_and_times_and_without_empty_sl
             "\"azimuth\":90.000,\"elevation\":0.000,\"activity\":0.500}]}\n");
 }
 
+TEST(JsonLines, of_tracks_has_the_class_where_it_is_known) {
+  test::HopOfHand hop;
+  hop.tracks.resize(2);
+  hop.tracks[0].id = 1;
+  hop.tracks[1].id = 2;
+  hop.tracks[1].category = Category::speech;
+  const auto json = nlohmann::json::parse(encoded(*make_json_lines_tracks(clock_of(0s)), hop, 1));
+  EXPECT_FALSE(json["src"][0].contains("class"));
+  EXPECT_EQ(json["src"][1]["class"], "speech");
+}
+
+TEST(JsonLines, of_categories_has_slot_id_and_class_of_those_who_live) {
+  test::HopOfHand hop;
+  hop.tracks.resize(2);
+  hop.tracks[1].id = 7;
+  hop.tracks[1].category = Category::nonspeech;
+  EXPECT_EQ(encoded(*make_json_lines_categories(clock_of(0s)), hop, 1),
+            "{\"timeStamp\":1,\"time\":0.000000,\"utc\":\"1970-01-01T00:00:00.000Z\",\"src\":["
+            "{\"slot\":1,\"id\":7,\"class\":\"nonspeech\"}]}\n");
+}
+
 TEST(JsonLines, of_potentials_has_all_of_them_with_E) {
   test::HopOfHand hop;
   hop.potentials.resize(2);

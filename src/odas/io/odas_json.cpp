@@ -44,15 +44,28 @@ void put_row(TextBuffer& text, const Track& track) {
   text.put(" }");
 }
 
-template <class Row>
-std::span<const char> put_hop(TextBuffer& text, HopIndex time, std::span<const Row> rows) {
+/// A track as nothing but its class.
+struct ClassRow {
+  const Track& track;
+};
+
+void put_row(TextBuffer& text, const ClassRow& row) {
+  text.need(kFrameSize);
+  text.put("        { \"category\": \"");
+  text.put(row.track.category == Category::speech ? "speech" : "nonspeech");
+  text.put("\" }");
+}
+
+/// `Row`: as what each item is written.
+template <class Row, class Item>
+std::span<const char> put_hop(TextBuffer& text, HopIndex time, std::span<const Item> rows) {
   text.clear();
   text.need(kFrameSize);
   text.put("{\n    \"timeStamp\": ");
   text.put_integer(time);
   text.put(",\n    \"src\": [\n");
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    put_row(text, rows[i]);
+    put_row(text, Row{rows[i]});
     text.need(kFrameSize);
     if (i + 1 < rows.size()) text.put(',');
     text.put('\n');
@@ -65,7 +78,7 @@ class OdasJsonPotentials : public HopEncoder {
  public:
   [[nodiscard]] Wanted wanted() const noexcept override { return kPotentials; }
   [[nodiscard]] std::span<const char> encode(const HopResult& hop) override {
-    return put_hop(text_, hop.time, hop.potentials);
+    return put_hop<const Potential&>(text_, hop.time, hop.potentials);
   }
 
  private:
@@ -76,7 +89,18 @@ class OdasJsonTracks : public HopEncoder {
  public:
   [[nodiscard]] Wanted wanted() const noexcept override { return kTracks; }
   [[nodiscard]] std::span<const char> encode(const HopResult& hop) override {
-    return put_hop(text_, hop.time, hop.tracks);
+    return put_hop<const Track&>(text_, hop.time, hop.tracks);
+  }
+
+ private:
+  TextBuffer text_{kUsualSize};
+};
+
+class OdasJsonCategories : public HopEncoder {
+ public:
+  [[nodiscard]] Wanted wanted() const noexcept override { return kTracks; }
+  [[nodiscard]] std::span<const char> encode(const HopResult& hop) override {
+    return put_hop<ClassRow>(text_, hop.time, hop.tracks);
   }
 
  private:
@@ -102,6 +126,7 @@ class BinaryPotentials : public HopEncoder {
 
 std::unique_ptr<HopEncoder> make_odas_json_potentials() { return std::make_unique<OdasJsonPotentials>(); }
 std::unique_ptr<HopEncoder> make_odas_json_tracks() { return std::make_unique<OdasJsonTracks>(); }
+std::unique_ptr<HopEncoder> make_odas_json_categories() { return std::make_unique<OdasJsonCategories>(); }
 std::unique_ptr<HopEncoder> make_binary_potentials() { return std::make_unique<BinaryPotentials>(); }
 
 }  // namespace odas

@@ -47,6 +47,22 @@ TEST(OdasJson, of_tracks_is_odas_s_byte_for_byte_with_the_empty_slots) {
       "}\n");
 }
 
+TEST(OdasJson, of_categories_is_odas_s_byte_for_byte) {
+  test::HopOfHand hop;
+  hop.tracks.resize(3);
+  hop.tracks[0].category = Category::speech;
+  hop.tracks[1].category = Category::nonspeech;
+  EXPECT_EQ(encoded(*make_odas_json_categories(), hop, 1),
+            "{\n"
+            "    \"timeStamp\": 1,\n"
+            "    \"src\": [\n"
+            "        { \"category\": \"speech\" },\n"
+            "        { \"category\": \"nonspeech\" },\n"
+            "        { \"category\": \"nonspeech\" }\n"
+            "    ]\n"
+            "}\n");
+}
+
 TEST(OdasJson, without_rows_is_an_empty_list) {
   EXPECT_EQ(encoded(*make_odas_json_potentials(), {}, 3),
             "{\n    \"timeStamp\": 3,\n    \"src\": [\n    ]\n}\n");

@@ -21,6 +21,7 @@ class RecordSink : public Sink {
   IoStatus write(const HopResult& hop) override { return writer_->write(encoder_->encode(hop)); }
   IoStatus flush() override { return writer_->flush(); }
   IoStatus close() override { return writer_->close(); }
+  [[nodiscard]] std::uint64_t lost_records() const noexcept override { return writer_->lost_records(); }
 
  private:
   std::string stream_;

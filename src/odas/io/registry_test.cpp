@@ -44,17 +44,44 @@ TEST(Registry, makes_a_sink_for_each_output_that_somebody_listens_to) {
   EXPECT_EQ(test::content(scratch / "sep.raw"), "") << "raw has no header";
 }
 
-TEST(Registry, says_of_all_outputs_at_once_what_is_not_there_yet) {
+TEST(Registry, makes_a_sink_for_each_place_of_a_stream) {
+  const test::Scratch scratch;
   Configuration config = test::small_configuration();
   config.tracked.format = "json";
-  config.tracked.interface.type = "socket";
-  config.separated.interface.type = "socket";
+  config.tracked.interfaces.resize(3);
+  config.tracked.interfaces[0].type = "socket";
+  config.tracked.interfaces[0].ip = "127.0.0.1";
+  config.tracked.interfaces[0].port = 9;
+  config.tracked.interfaces[1].type = "file";
+  config.tracked.interfaces[1].path = scratch / "tracks.jsonl";
+  config.tracked.interfaces[1].format = "jsonl";
+  config.tracked.interfaces[2].type = "socket_listen";
+  config.category.format = "json";
   config.category.interface.type = "terminal";
+  config.separated.interface.type = "voices";
+  config.separated.interface.path = scratch / "voices";
+  const auto sinks = make_sinks(config);
+  ASSERT_EQ(sinks.size(), 5U);
+  EXPECT_EQ(sinks[0]->name(), "sst.tracked (127.0.0.1:9)");
+  EXPECT_TRUE(sinks[1]->name().ends_with("tracks.jsonl)"));
+  EXPECT_TRUE(sinks[2]->name().starts_with("sst.tracked (127.0.0.1:"));
+  EXPECT_EQ(sinks[3]->name(), "classify.category (standard output)");
+  EXPECT_TRUE(sinks[4]->name().ends_with("voices)"));
+}
+
+TEST(Registry, opens_nothing_where_one_of_them_is_wrong) {
+  const test::Scratch scratch;
+  Configuration config = test::small_configuration();
+  config.potential.format = "json";
+  config.potential.interface.type = "file";
+  config.potential.interface.path = scratch / "pots.json";
+  config.tracked.interface.type = "file";
+  config.category.interface.type = "soundcard";
   const auto faults = faults_of(config);
-  ASSERT_EQ(faults.size(), 3U);
-  EXPECT_EQ(faults[0].path, "sst.tracked.interface.type");
-  EXPECT_NE(faults[0].what.find("is \"socket\", which this version cannot do yet"), std::string::npos);
-  EXPECT_EQ(faults[2].path, "classify.category.interface.type");
+  ASSERT_EQ(faults.size(), 2U);
+  EXPECT_EQ(faults[0].path, "sst.tracked.interface");
+  EXPECT_NE(faults[1].what.find("has the type \"soundcard\""), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "pots.json"));
 }
 
 TEST(Registry, refuses_a_format_that_a_stream_cannot_be) {
@@ -62,7 +89,7 @@ TEST(Registry, refuses_a_format_that_a_stream_cannot_be) {
   config.tracked.format = "binary";
   config.tracked.interface.type = "terminal";
   ASSERT_EQ(faults_of(config).size(), 1U);
-  EXPECT_EQ(faults_of(config)[0].path, "sst.tracked.format");
+  EXPECT_EQ(faults_of(config)[0].path, "sst.tracked.interface");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "odas/base/error.hpp"
 #include "odas/io/hop_encoder.hpp"
+#include "odas/io/wav_writer.hpp"
 
 namespace odas {
 namespace {
@@ -57,7 +58,7 @@ class StreamServerTest : public ::testing::Test {
   }
   [[nodiscard]] std::string sound_of(const std::string& file) {
     EXPECT_TRUE(server_->flush().ok());
-    return test::content(scratch_ / "run" / file).substr(44);
+    return test::content(scratch_ / "run" / file).substr(kWavHeaderSize);
   }
 
   test::Scratch scratch_;

@@ -19,15 +19,31 @@ constexpr std::size_t kPiece = PIPE_BUF;
 }  // namespace
 
 IoStatus TerminalWriter::write(std::span<const char> record) {
-  while (!record.empty() && !gave_up_) {
+  if (!queue_.put(record)) ++lost_;
+  return send(waits_ && !stopped() ? kPatienceMs : 0);
+}
+
+IoStatus TerminalWriter::close() {
+  IoStatus status = send(kPatienceMs);
+  lost_ += queue_.records();
+  return status;
+}
+
+bool TerminalWriter::stopped() const noexcept {
+  return stop_ != nullptr && stop_->load(std::memory_order_relaxed);
+}
+
+IoStatus TerminalWriter::send(int patience_ms) {
+  while (!queue_.empty()) {
     pollfd waiting{descriptor_, POLLOUT, 0};
-    if (::poll(&waiting, 1, kPatienceMs) == 0) {
-      gave_up_ = stop_ != nullptr && stop_->load(std::memory_order_relaxed);
+    if (::poll(&waiting, 1, patience_ms) == 0) {
+      if (!waits_ || stopped()) return {};
       continue;
     }
-    const ssize_t n = ::write(descriptor_, record.data(), std::min(record.size(), kPiece));
+    const std::span<const char> front = queue_.front();
+    const ssize_t n = ::write(descriptor_, front.data(), std::min(front.size(), kPiece));
     if (n >= 0) {
-      record = record.subspan(static_cast<std::size_t>(n));
+      queue_.pop(static_cast<std::size_t>(n));
     } else if (errno == EPIPE) {
       return IoStatus::failed("nobody reads it any more: the program behind the pipe has ended");
     } else if (errno != EINTR && errno != EAGAIN) {

@@ -62,5 +62,26 @@ TEST(TerminalWriter, does_not_wait_for_a_reader_that_sleeps_once_asked_to_stop) 
   EXPECT_TRUE(writer.write(std::string(300000, 'x')).ok()) << "returns at all";
 }
 
+TEST(TerminalWriter, for_a_live_source_a_reader_that_sleeps_loses_whole_records_and_delays_nobody) {
+  Pipe pipe;
+  TerminalWriter writer(nullptr, pipe.writer.get(), false);
+  const std::string record = std::string(999, 'x') + "\n";
+  constexpr std::size_t kSent = 3000;
+  for (std::size_t i = 0; i < kSent; ++i) ASSERT_TRUE(writer.write(record).ok());
+  EXPECT_GT(writer.lost_records(), 0U);
+  std::string got;
+  std::thread reader([&] {
+    std::array<char, 10000> part{};
+    for (ssize_t n = 0; (n = ::read(pipe.reader.get(), part.data(), part.size())) > 0;) {
+      got.append(part.data(), static_cast<std::size_t>(n));
+    }
+  });
+  EXPECT_TRUE(writer.close().ok());
+  pipe.writer = FileDescriptor();
+  reader.join();
+  EXPECT_EQ(got.size() % record.size(), 0U);
+  EXPECT_EQ(got.size() / record.size() + writer.lost_records(), kSent);
+}
+
 }  // namespace
 }  // namespace odas

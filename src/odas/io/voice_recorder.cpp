@@ -23,7 +23,8 @@ constexpr int kBits = 16;
 /// Only names that this program gives: a user may keep other files here.
 bool is_voice(const std::string& name) {
   return name.starts_with("source_") && name.ends_with(".wav") && name.size() > 11 &&
-         std::all_of(name.begin() + 7, name.end() - 4, [](char c) { return c >= '0' && c <= '9'; });
+         std::all_of(name.begin() + 7, name.end() - 4,
+                     [](char c) { return (c >= '0' && c <= '9') || c == '_'; });
 }
 
 void remove_old_voices(const fs::path& folder) {
@@ -38,7 +39,7 @@ void remove_old_voices(const fs::path& folder) {
 VoiceRecorder::VoiceRecorder(fs::path folder, Format format) : folder_(std::move(folder)), format_(format) {
   try {
     fs::create_directories(folder_);
-    remove_old_voices(folder_);
+    if (!format_.file_name) remove_old_voices(folder_);
   } catch (const fs::filesystem_error& error) {
     throw IoError("cannot use " + folder_.string() + " for the voices: " + error.code().message());
   }
@@ -58,12 +59,7 @@ IoStatus VoiceRecorder::add(HopIndex time, std::span<const Track> tracks, GridVi
     if (id == 0) continue;
     if (!open.wav) {
       const double start = static_cast<double>(time - 1) * format_.hop_seconds - format_.delay_s;
-      try {
-        open.wav = std::make_unique<WavWriter>(folder_ / voice_file_name(id),
-                                               WavWriter::Format{format_.sample_rate, 1, kBits});
-      } catch (const IoError& error) { return IoStatus::failed(error.what()); }
-      open.voice = voices_.size();
-      voices_.push_back({id, voice_file_name(id), start, 0});
+      if (IoStatus begun = begin(slot, id, start); !begun.ok()) return begun;
     }
     const GridView<const float> voice(audio[slot].data(), 1, audio.cols());
     clipped_ += encode_pcm(voice, format_.gain, kBits, bytes_);
@@ -71,6 +67,35 @@ IoStatus VoiceRecorder::add(HopIndex time, std::span<const Track> tracks, GridVi
     voices_[open.voice].seconds += static_cast<double>(audio.cols()) / format_.sample_rate;
   }
   return {};
+}
+
+std::string VoiceRecorder::name_of(std::uint64_t id, double start_s) const {
+  if (format_.file_name) return format_.file_name(id, start_s);
+  const auto times =
+      std::count_if(voices_.begin(), voices_.end(), [&](const Voice& voice) { return voice.id == id; });
+  if (times == 0) return voice_file_name(id);
+  return "source_" + std::to_string(id) + "_" + std::to_string(times + 1) + ".wav";
+}
+
+IoStatus VoiceRecorder::begin(std::size_t slot, std::uint64_t id, double start_s) {
+  const std::string name = name_of(id, start_s);
+  try {
+    open_[slot].wav =
+        std::make_unique<WavWriter>(folder_ / name, WavWriter::Format{format_.sample_rate, 1, kBits});
+  } catch (const IoError& error) { return IoStatus::failed(error.what()); }
+  open_[slot].voice = voices_.size();
+  voices_.push_back({id, name, start_s, 0});
+  return {};
+}
+
+std::optional<std::size_t> VoiceRecorder::voice_of(std::size_t slot) const noexcept {
+  if (slot >= open_.size() || !open_[slot].wav) return std::nullopt;
+  return open_[slot].voice;
+}
+
+bool VoiceRecorder::is_open(std::size_t voice) const noexcept {
+  return std::any_of(open_.begin(), open_.end(),
+                     [&](const Open& open) { return open.wav && open.voice == voice; });
 }
 
 IoStatus VoiceRecorder::flush() {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,7 +28,7 @@ struct Voice {
 [[nodiscard]] std::string voice_file_name(std::uint64_t id);
 
 /// Writes one WAV file per followed source: the audio of its slot from the hop in which its id appears to the
-/// hop in which it is gone.
+/// hop in which it is gone. A source that comes back with its id (`sst.memory`) gets one more file.
 class VoiceRecorder {
  public:
   struct Format {
@@ -34,9 +36,13 @@ class VoiceRecorder {
     double hop_seconds = 0;   // of a time step
     double delay_s = 0;       // by which the voices come later than the microphones
     float gain = 1;
+    /// The name of a voice by its id and start, s. Empty: source_3.wav, and source_3_2.wav when it comes
+    /// back.
+    std::function<std::string(std::uint64_t id, double start_s)> file_name{};
   };
 
-  /// Makes the folder; removes the voices of an earlier run. Throws IoError.
+  /// Makes the folder; removes the voices of an earlier run, unless they have names of their own. Throws
+  /// IoError.
   VoiceRecorder(std::filesystem::path folder, Format format);
 
   /// `audio` is [slot][samples of this hop].
@@ -49,10 +55,16 @@ class VoiceRecorder {
 
   /// In order of appearance.
   [[nodiscard]] const std::vector<Voice>& voices() const noexcept { return voices_; }
+  /// The one that a slot is adding to, an index of `voices`; none: the slot is empty.
+  [[nodiscard]] std::optional<std::size_t> voice_of(std::size_t slot) const noexcept;
+  [[nodiscard]] bool is_open(std::size_t voice) const noexcept;
   /// Samples that were louder than full scale, and were held at it.
   [[nodiscard]] std::uint64_t clipped_samples() const noexcept { return clipped_; }
 
  private:
+  [[nodiscard]] std::string name_of(std::uint64_t id, double start_s) const;
+  IoStatus begin(std::size_t slot, std::uint64_t id, double start_s);
+
   struct Open {
     std::size_t voice = 0;           // index in voices_
     std::unique_ptr<WavWriter> wav;  // none: the slot is empty

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kHop = 128;
-constexpr VoiceRecorder::Format kFormat{16000, 0.008, 0.008, 1};
+const VoiceRecorder::Format kFormat{16000, 0.008, 0.008, 1};
 
 class VoiceRecorderTest : public testing::Test {
  protected:
@@ -51,6 +51,17 @@ class VoiceRecorderTest : public testing::Test {
 
   fs::path folder_;
 };
+
+TEST_F(VoiceRecorderTest, a_source_that_comes_back_does_not_overwrite_what_it_said) {
+  VoiceRecorder recorder(folder_, kFormat);
+  run(recorder, {{5, 0}, {0, 0}, {0, 5}, {0, 5}});
+  ASSERT_EQ(recorder.voices().size(), 2U);
+  EXPECT_EQ(recorder.voices()[1].file, "source_5_2.wav");
+  EXPECT_EQ(samples("source_5.wav").size(), kHop);
+  EXPECT_EQ(samples("source_5_2.wav").size(), 2 * kHop);
+  const VoiceRecorder next(folder_, kFormat);
+  EXPECT_TRUE(fs::is_empty(folder_)) << "the next run removes both";
+}
 
 TEST_F(VoiceRecorderTest, writes_each_source_from_its_birth_to_its_death) {
   VoiceRecorder recorder(folder_, kFormat);

@@ -54,12 +54,26 @@ TEST(WavWriter, is_valid_after_each_flush_should_the_program_be_killed) {
 
 TEST(WavWriter, is_valid_and_whole_where_the_disk_is_full) {
   const test::Scratch scratch;
-  const test::FileSizeLimit limit(44 + 100);
+  const test::FileSizeLimit limit(kWavHeaderSize + 100);
   WavWriter writer(scratch / "a.wav", kStereo);
   for (int i = 0; i < 5; ++i) EXPECT_TRUE(writer.write(kTenFrames).ok());
   EXPECT_FALSE(writer.close().ok());
   EXPECT_EQ(read_info(scratch / "a.wav").frames, 20) << "two records of 40 bytes, and not 25 frames";
-  EXPECT_EQ(std::filesystem::file_size(scratch / "a.wav"), 44U + 80);
+  EXPECT_EQ(std::filesystem::file_size(scratch / "a.wav"), kWavHeaderSize + 80);
+}
+
+TEST(WavWriter, beyond_4_GiB_is_RF64) {
+  const test::Scratch scratch;
+  const std::uint64_t data = (std::uint64_t{5} << 30) + 4;  // bytes, of which the disk sees none
+  for (const std::uint64_t size : {kWavHeaderSize + data, std::uint64_t{0x100000000 + 7}}) {
+    const WavHeaderBytes header = wav_header(kStereo, size);
+    test::write_file(scratch / "long.wav", {header.begin(), header.end()});
+    std::filesystem::resize_file(scratch / "long.wav", size);
+    const SF_INFO info = read_info(scratch / "long.wav");
+    EXPECT_EQ(static_cast<std::uint64_t>(info.frames), (size - kWavHeaderSize) / 4);
+    const bool large = size > 0x100000007;
+    EXPECT_EQ(info.format & SF_FORMAT_TYPEMASK, large ? SF_FORMAT_RF64 : SF_FORMAT_WAV) << size;
+  }
 }
 
 TEST(WavWriter, says_at_once_where_it_cannot_write) {
