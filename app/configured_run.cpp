@@ -69,11 +69,12 @@ std::string describe(const Metrics& metrics) {
   return fmt::format(
       "{} hops, {:.2f} s of sound; a hop took {:.0f} us (median), {:.0f} us (p99), {:.0f} us (longest): "
       "{:.2f} % of real time\n"
-      "{} hops dropped, {} lost by peers; {} blocks and {} frames of the source lost; {} samples clipped, {} not finite",
+      "{} hops dropped, {} lost by peers; {} blocks and {} frames of the source lost; {} samples clipped, {} "
+      "not finite",
       metrics.hops, metrics.sound_seconds, us(metrics.hop_time.quantile(0.5)),
       us(metrics.hop_time.quantile(0.99)), us(metrics.hop_time.max()), 100 * metrics.real_time_share(),
-      metrics.dropped_hops, metrics.lost_records, metrics.overruns, metrics.lost_frames, metrics.clipped_samples,
-      metrics.non_finite_samples);
+      metrics.dropped_hops, metrics.lost_records, metrics.overruns, metrics.lost_frames,
+      metrics.clipped_samples, metrics.non_finite_samples);
 }
 
 }  // namespace odas

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "odas/io/wav_writer.hpp"
+
 namespace odas {
 namespace {
 
@@ -167,7 +169,7 @@ TEST(Faults, what_was_written_before_the_disk_was_full_is_whole) {
   EXPECT_EQ(wav.channels(), 4);
   EXPECT_GT(wav.frames(), 1000);
   EXPECT_EQ(std::filesystem::file_size(run.file("separated.wav")),
-            44U + static_cast<unsigned>(wav.frames()) * 8);
+            kWavHeaderSize + static_cast<unsigned>(wav.frames()) * 8);
 }
 
 TEST(Faults, ctrl_c_finishes_the_files) {

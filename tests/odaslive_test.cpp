@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 
 #include "odas/io/file_descriptor.hpp"
+#include "odas/io/tcp_listener.hpp"
 
 namespace odas {
 namespace {
@@ -203,15 +204,31 @@ TEST(Odaslive, ends_well_at_ctrl_c_while_its_source_is_silent) {
   }
 }
 
-TEST(Odaslive, says_what_it_cannot_do_yet_before_anything_is_written) {
+TEST(Odaslive, says_which_port_it_cannot_have_before_anything_is_written) {
   SmallRun run;
   run.record_raw(SmallRun::sound(1280));
-  run.tracked = R"(format = "json"; interface: { type = "socket"; ip = "127.0.0.1"; port = 9000; };)";
+  const TcpListener other("", 0);
+  run.potential = R"(format = "json"; interface: { type = "socket_listen"; port = )" +
+                  std::to_string(other.port()) + "; };";
   const auto result = run.odaslive();
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_TRUE(has(result.err, "sst.tracked.interface.type: is \"socket\"")) << result.err;
-  EXPECT_TRUE(has(result.err, "run.cfg:")) << "with its line: " << result.err;
-  EXPECT_FALSE(std::filesystem::exists(run.file("pots.json")));
+  EXPECT_TRUE(has(result.err, "another program listens there")) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(run.file("tracks.json")));
+}
+
+TEST(Odaslive, goes_on_without_a_peer_and_says_what_was_lost) {
+  SmallRun run;
+  run.record_raw(SmallRun::sound(1280));
+  int port = 0;
+  { port = TcpListener("", 0).port(); }
+  run.tracked = R"(format = "json"; interface: { type = "socket"; ip = "127.0.0.1"; port = )" +
+                std::to_string(port) + "; };";
+  const auto result = run.odaslive({"-v"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(has(result.err, "sst.tracked: nobody answers at 127.0.0.1:")) << result.err;
+  EXPECT_TRUE(has(result.err, "11 hops (of audio: blocks) were lost")) << result.err;
+  EXPECT_TRUE(has(result.err, "11 lost by peers")) << result.err;
+  EXPECT_EQ(hops_of(run.text("pots.json")).size(), 11U) << "the others notice nothing";
 }
 
 }  // namespace

@@ -12,6 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <sndfile.hh>
 
+#include "odas/io/wav_writer.hpp"
+
 namespace odas {
 namespace {
 
@@ -198,7 +200,7 @@ TEST_F(Run, ends_with_what_it_could_write_when_the_disk_is_full) {
   // Whole: the header tells the true length, and no line is cut.
   const SndfileHandle reference((out() / "microphone_1.wav").string());
   EXPECT_EQ(reference.error(), 0);
-  EXPECT_EQ(static_cast<std::uintmax_t>(reference.frames()) * 2 + 44,
+  EXPECT_EQ(static_cast<std::uintmax_t>(reference.frames()) * 2 + kWavHeaderSize,
             fs::file_size(out() / "microphone_1.wav"));
   EXPECT_NO_THROW(static_cast<void>(lines("tracks.jsonl")));
   EXPECT_NO_THROW(static_cast<void>(lines("potentials.jsonl")));
