@@ -39,7 +39,7 @@ hears_the_sound "$prefix/hello/hello_pc" "with pkg-config"
 (cd "$prefix/include" && find odas -name '*.hpp' -printf '#include "%p"\n' | sort) >"$prefix/hello/headers.cpp"
 read -ra flags < <(pkg-config --cflags odas)
 "$cxx" -std=c++20 -fsyntax-only -MD -MF "$prefix/hello/headers.d" "$prefix/hello/headers.cpp" "${flags[@]}"
-if grep -oE '/(nlohmann|hwy|CLI|fmt|spdlog)/.*|/(fftw3|samplerate|sndfile|libconfig)[^/]*$' "$prefix/hello/headers.d"; then
+if grep -oE '/(nlohmann|hwy|CLI|fmt|spdlog|alsa|pulse)/.*|/(fftw3|samplerate|sndfile|libconfig)[^/]*$' "$prefix/hello/headers.d"; then
   echo "install: a header names a library of the inside" >&2
   exit 1
 fi

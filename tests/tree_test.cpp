@@ -141,11 +141,15 @@ TEST(Arrows, the_core_has_no_thread_file_socket_clock_or_print) {
 }
 
 TEST(Libraries, stay_in_their_rooms) {
-  const std::map<std::string, std::set<std::string>> homes{
-      {"libconfig", {"config"}},    {"nlohmann/", {"io", "scene", "studio"}},
-      {"fftw3", {"dsp"}},           {"samplerate", {"dsp", "scene"}},
-      {"sndfile", {"io", "scene"}}, {"CLI/", {}},
-      {"hwy/", {"localization"}}};
+  const std::map<std::string, std::set<std::string>> homes{{"libconfig", {"config"}},
+                                                           {"nlohmann/", {"io", "scene", "studio"}},
+                                                           {"fftw3", {"dsp"}},
+                                                           {"samplerate", {"dsp", "scene"}},
+                                                           {"sndfile", {"io", "scene"}},
+                                                           {"CLI/", {}},
+                                                           {"hwy/", {"localization"}},
+                                                           {"alsa/", {"io"}},
+                                                           {"pulse/", {"io"}}};
   for (const auto& [path, text] : tree()) {
     const std::string room = room_of(path);
     if (room.empty() || !is_cpp(path) || is_test(path)) continue;
@@ -157,6 +161,20 @@ TEST(Libraries, stay_in_their_rooms) {
       }
     }
   }
+}
+
+// A time of day that is set while a run goes on must change neither what is lost nor when anything is done.
+TEST(Clocks, of_engine_and_sources_are_never_set) {
+  int files = 0;
+  for (const auto& [path, text] : tree()) {
+    const bool source = path.starts_with("src/odas/io/") && path.ends_with("_source.cpp");
+    if (is_test(path) || !(room_of(path) == "engine" || source || path == "src/odas/io/frame_clock.hpp"))
+      continue;
+    ++files;
+    EXPECT_EQ(text.find("system_clock"), std::string::npos) << path;
+    EXPECT_EQ(text.find("gettimeofday"), std::string::npos) << path;
+  }
+  EXPECT_GT(files, 20);
 }
 
 TEST(SourceFiles, say_their_licence_first) {
