@@ -15,8 +15,9 @@ struct HopResult {
   HopIndex time = 0;
   std::span<const Potential> potentials;  // strongest first found first; empty where nobody wants them
   std::span<const Track> tracks;          // [slot]
-  GridView<const float> separated;        // [slot][hop], full scale 1, processing rate, before gain_sep
-  GridView<const float> postfiltered;     // [slot][hop], before gain_pf
+  // Of the sound `lookback_hops` hops ago, with the tracks of now:
+  GridView<const float> separated;     // [slot][hop], full scale 1, processing rate, before gain_sep
+  GridView<const float> postfiltered;  // [slot][hop], before gain_pf
 };
 
 /// The whole of hearing, one hop at a time: microphones in, directions, tracks and voices out.
