@@ -47,7 +47,9 @@ fs::path prepare_folder(const Arguments& arguments) {
   fs::create_directories(out, error);
   if (error) throw IoError("cannot make the folder " + out.string() + ": " + error.message());
   std::vector<fs::path> files(kFiles.begin(), kFiles.end());
-  if (arguments.odas_files) files.insert(files.end(), kOdasFiles.begin(), kOdasFiles.end());
+  // Those of an earlier run with --odas-files would pass for ours: odas score looks for them first.
+  const bool was_here = fs::exists(out / "report.html", error);
+  if (arguments.odas_files || was_here) files.insert(files.end(), kOdasFiles.begin(), kOdasFiles.end());
   for (const fs::path& name : files) {
     const fs::path file = out / name;
     if (fs::equivalent(file, arguments.recording, error)) {

@@ -165,6 +165,13 @@ TEST_F(Run, replaces_the_files_of_an_earlier_run_and_no_others) {
   EXPECT_FALSE(contains(text("tracks.jsonl"), "not json"));
 }
 
+TEST_F(Run, leaves_no_ODAS_files_of_an_earlier_run_to_be_taken_for_its_own) {
+  ASSERT_EQ(run(record("talk.wav", kSecond), {"--odas-files"}).exit_code, 0);
+  ASSERT_TRUE(fs::exists(out() / "tracks.json"));
+  ASSERT_EQ(run(record("talk.wav", kSecond)).exit_code, 0);
+  EXPECT_FALSE(fs::exists(out() / "tracks.json"));
+}
+
 TEST_F(Run, shows_its_progress_on_a_terminal) {
   ProgramOptions terminal;
   terminal.terminal = true;
