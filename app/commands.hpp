@@ -21,6 +21,7 @@ void add_live(CLI::App& app);
 void add_run(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_score(CLI::App& app);
+void add_tune(CLI::App& app);
 void add_targets(CLI::App& app);
 
 }  // namespace odas

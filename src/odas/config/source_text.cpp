@@ -299,6 +299,12 @@ Location SourceText::location(int line) const {
   return lines_[static_cast<std::size_t>(std::clamp(line, 1, last) - 1)].location;
 }
 
+std::string SourceText::written() const {
+  std::string text;
+  for (const Line& line : lines_) text += line.written + '\n';
+  return text;
+}
+
 std::string SourceText::excerpt(int line) const {
   if (lines_.empty()) return "";
   const auto last = static_cast<int>(lines_.size());

@@ -33,6 +33,8 @@ class SourceText {
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   /// Of a line of text(), from 1.
   [[nodiscard]] Location location(int line) const;
+  /// All lines as they were written, with what they include in its place.
+  [[nodiscard]] std::string written() const;
   /// The line as the user wrote it, without the space around it.
   [[nodiscard]] std::string excerpt(int line) const;
 

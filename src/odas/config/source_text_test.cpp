@@ -101,6 +101,7 @@ TEST_F(SourceFiles, puts_included_files_in_and_keeps_their_lines) {
   EXPECT_EQ(source.location(4).file, main.string());
   EXPECT_EQ(source.location(4).line, 3);
   EXPECT_EQ(source.excerpt(4), "b = 2;");
+  EXPECT_EQ(source.written(), source.text());
 }
 
 TEST_F(SourceFiles, find_what_a_copied_array_file_includes) {
