@@ -14,6 +14,7 @@ struct ExitCode {
   int code;
 };
 
+void add_array(CLI::App& app);
 void add_arrays(CLI::App& app);
 void add_check(CLI::App& app);
 void add_devices(CLI::App& app);

@@ -5,13 +5,11 @@
 #include "odas/engine/audio_source.hpp"
 #include "odas/engine/config.hpp"
 #include "odas/engine/run.hpp"
-#include "odas/tracking/energy_histogram.hpp"
+#include "odas/tracking/mixture_fit.hpp"
 
 namespace odas {
 
-struct Energies {
-  EnergyHistogram strongest;  // of each hop
-  EnergyHistogram others;
+struct Energies : Heard {
   double seconds = 0;  // of sound that counted
 };
 

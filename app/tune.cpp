@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "energy_measurement.hpp"
+#include "png_canvas.hpp"
 #include "progress.hpp"
 #include "stop.hpp"
 #include "tune_text.hpp"
@@ -20,6 +21,7 @@
 #include "odas/config/edit.hpp"
 #include "odas/config/reader.hpp"
 #include "odas/config/source_text.hpp"
+#include "odas/io/histogram_drawing.hpp"
 #include "odas/io/recording.hpp"
 #include "odas/io/registry.hpp"
 
@@ -29,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Arguments {
-  std::string array, silence, talk, out;
+  std::string array, silence, talk, out, svg, png;
   double seconds = 60;
 };
 
@@ -164,9 +166,7 @@ void tune(const Arguments& arguments) {
     talk = measurement.of_room(arguments.seconds);
   }
 
-  EnergyHistogram nobody = silence.strongest;
-  nobody.add(silence.others);
-  const MeasuredMixtures found = fit_mixtures(nobody, talk.strongest, talk.others);
+  const MeasuredMixtures found = fit_mixtures(silence, talk);
   const Separation apart = separation(found.active, found.inactive);
   fmt::print("{}", histogram_text(silence, talk, apart.threshold));
   if (found.active.empty()) {
@@ -203,6 +203,8 @@ void add_tune(CLI::App& app) {
                           ->type_name("FILE");
   silence->needs(talk);
   talk->needs(silence);
+  command->add_option("--svg", arguments->svg, "Draw the histograms into this SVG")->type_name("FILE");
+  command->add_option("--png", arguments->png, "Draw them into this PNG")->type_name("FILE");
   command->add_option("--seconds", arguments->seconds, "Length of each measurement, without recordings")
       ->type_name("S")
       ->check(CLI::Range(6.0, 3600.0))

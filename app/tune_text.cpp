@@ -9,12 +9,6 @@
 namespace odas {
 namespace {
 
-EnergyHistogram all_of(const Energies& energies) {
-  EnergyHistogram all = energies.strongest;
-  all.add(energies.others);
-  return all;
-}
-
 /// The share of a histogram in [low, high).
 double share(const EnergyHistogram& histogram, double low, double high) {
   double sum = 0;
@@ -23,6 +17,16 @@ double share(const EnergyHistogram& histogram, double low, double high) {
     if (energy >= low && energy < high) sum += histogram.count(bin);
   }
   return histogram.total() > 0 ? sum / histogram.total() : 0;
+}
+
+/// The share of a silence that alone would begin a track: ten times likelier active than not.
+double taken_for_talk(const MeasuredMixtures& found, const EnergyHistogram& silence) {
+  double sum = 0;
+  for (std::size_t bin = 0; bin < EnergyHistogram::kBins; ++bin) {
+    const double energy = EnergyHistogram::energy(bin);
+    if (density(found.active, energy) > 10 * density(found.inactive, energy)) sum += silence.count(bin);
+  }
+  return sum / silence.total();
 }
 
 std::string bar(double part, std::size_t width) {
@@ -35,7 +39,7 @@ std::string bar(double part, std::size_t width) {
 
 std::string histogram_text(const Energies& silence, const Energies& talk, double threshold) {
   constexpr std::size_t kRows = 24, kWidth = 32;
-  const EnergyHistogram nobody = all_of(silence);
+  const EnergyHistogram& nobody = silence.strongest;
   const double low = std::min({0.0, nobody.quantile(0.001), talk.strongest.quantile(0.001)});
   const double high = std::max(talk.strongest.quantile(0.998), nobody.quantile(0.998)) + 0.01;
   const double step = std::ceil((high - low) / kRows * 200) / 200;
@@ -47,7 +51,7 @@ std::string histogram_text(const Energies& silence, const Energies& talk, double
     most_talk = std::max(most_talk, share(talk.strongest, e, e + step));
   }
   std::string text =
-      fmt::format("{:>13}  {:<{}}  {}\n", "E", "silence", kWidth, "talk, the strongest of each hop");
+      fmt::format("{:>13}  {:<{}}  {}\n", "E", "silence: the strongest of each hop", kWidth, "talk");
   bool marked = false;
   for (double e = begin; e < high; e += step) {
     const double s = share(nobody, e, e + step), t = share(talk.strongest, e, e + step);
@@ -87,8 +91,8 @@ std::string verdict(const MeasuredMixtures& found, const Separation& apart, cons
         "ssl.weighting = \"snr\"; see with `odas array` and `odas check` whether positions and channels are "
         "right.\n";
   }
-  const double loud = share(silence.strongest, apart.threshold, 2);
-  if (loud > 0.02) {
+  const double loud = taken_for_talk(found, silence.strongest);
+  if (loud > 0.01) {
     text += fmt::format(
         "In {:.0f} % of the silence something sounded like talk: was it silent? A machine that is always "
         "heard\n"

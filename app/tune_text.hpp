@@ -6,11 +6,9 @@
 
 #include "energy_measurement.hpp"
 
-#include "odas/tracking/mixture_fit.hpp"
-
 namespace odas {
 
-/// The histograms side by side, in bars: E of all potentials of silence, and of the strongest of talk.
+/// The histograms side by side, in bars: E of the strongest potential of each hop.
 [[nodiscard]] std::string histogram_text(const Energies& silence, const Energies& talk, double threshold);
 
 /// The value of `sst.active` or `sst.inactive` in a configuration, with a comment on where it comes from.

@@ -7,7 +7,7 @@
 set -euo pipefail
 
 build=(g++ cmake make pkg-config libfftw3-dev libsamplerate0-dev libhwy-dev libconfig++-dev
-       libsndfile1-dev libasound2-dev libpulse-dev libfmt-dev libcli11-dev nlohmann-json3-dev)
+       libsndfile1-dev libasound2-dev libpulse-dev libfmt-dev libcli11-dev nlohmann-json3-dev libcairo2-dev)
 test=(ninja-build libgtest-dev librapidcheck-dev libbenchmark-dev
       clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-19
       libasound2-plugins pulseaudio pulseaudio-utils netcat-openbsd)

@@ -19,10 +19,12 @@ _odas() {
     -o | --out) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -d -- "$cur"); return ;;
   esac
   case $command in
-    '') options='run live devices arrays check targets simulate score -h --help --version' ;;
+    '') options='run live devices arrays array check tune targets simulate score -h --help --version' ;;
     run) options='-h --help -c --config -o --out --odas-files' ;;
     live) options='-h --help -c --config -v --verbose' ;;
     devices) options='-h --help --json' ;;
+    array) options='-h --help --svg --png --tdoa-error' ;;
+    tune) options='-h --help -o --out --silence --talk --svg --png --seconds' ;;
     arrays) options='-h --help -p --paths' ;;
     simulate) options='-h --help -o --out --flac' ;;
     score) options='-h --help --json' ;;
@@ -32,7 +34,7 @@ _odas() {
   esac
   if [[ $cur == -* || -z $command ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$cur")
-  elif [[ $command == live || $command == check ]]; then
+  elif [[ $command == live || $command == check || $command == array || $command == tune ]]; then
     _odas_configurations "$cur"
   elif [[ $command == devices ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$(odas devices 2>/dev/null | sed -n 's/^  \([^ ].*\)/\1/p')" -- "$cur")

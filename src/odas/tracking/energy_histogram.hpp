@@ -20,9 +20,9 @@ class EnergyHistogram {
     counts_[static_cast<std::size_t>(bin)] += times;
     total_ += times;
   }
-  void add(const EnergyHistogram& other) noexcept {
-    for (std::size_t bin = 0; bin < kBins; ++bin) counts_[bin] += other.counts_[bin];
-    total_ += other.total_;
+  void add(const EnergyHistogram& other, double times = 1) noexcept {
+    for (std::size_t bin = 0; bin < kBins; ++bin) counts_[bin] += times * other.counts_[bin];
+    total_ += times * other.total_;
   }
 
   /// E in the middle of a bin.

@@ -17,6 +17,8 @@ constexpr int kMostGaussians = 3;
 constexpr int kIterations = 300;
 constexpr double kLeastVariance = 1e-4;
 constexpr double kHopsThatAreAlike = 8;  // a frame of 16 ms every 8 ms, and words that last
+constexpr double kLeastHeard = 0.05;     // of talk: less is chance
+constexpr double kAlike = 0.35;          // equal error of what is no better than silence
 constexpr double kTiny = 1e-12;          // density far from everything
 
 double gaussian(const GaussianConfig& g, double energy) noexcept {
@@ -31,46 +33,52 @@ Bins densities(const Mixture& mixture) noexcept {
   return p;
 }
 
+/// What is known already, each with a weight that is not.
+using Known = std::vector<Bins>;
+
 struct Fit {
-  Mixture mixture;  // weights sum to 1 - fixed_weight
-  double fixed_weight = 0;
+  Mixture mixture;  // weights sum, with those of the known, to 1
+  std::vector<double> known_weights{};
   double log_likelihood = -std::numeric_limits<double>::infinity();
 };
 
 /// Begins at the quantiles, each Gaussian as wide as its part of the whole.
-Fit beginning(const EnergyHistogram& data, int gaussians, bool fixed) {
+Fit beginning(const EnergyHistogram& data, int gaussians, const Known& known) {
   Fit fit;
-  fit.fixed_weight = fixed ? 0.5 : 0;
+  fit.known_weights.assign(known.size(), 0.5 / static_cast<double>(std::max<std::size_t>(1, known.size())));
+  const double free = known.empty() ? 1 : 0.5;
   const double spread = data.quantile(0.9) - data.quantile(0.1);
   const double variance = std::max(kLeastVariance, spread * spread / (4.0 * gaussians * gaussians));
-  // Beside something fixed, what is new lies above it.
-  const double from = fixed ? 0.4 : 0;
+  // Beside what is known, what is new lies above it.
+  const double from = known.empty() ? 0 : 0.4;
   for (int k = 0; k < gaussians; ++k) {
     const double share = from + (1 - from) * (k + 0.5) / gaussians;
-    fit.mixture.push_back({static_cast<float>((1 - fit.fixed_weight) / gaussians),
-                           static_cast<float>(data.quantile(share)), static_cast<float>(variance)});
+    fit.mixture.push_back({static_cast<float>(free / gaussians), static_cast<float>(data.quantile(share)),
+                           static_cast<float>(variance)});
   }
   return fit;
 }
 
-/// One step of expectation-maximization; the new log-likelihood of the old parameters.
-double step(const EnergyHistogram& data, const Bins* fixed, Fit& fit) {
+/// One step of expectation-maximization. Gives the log-likelihood of the parameters before it.
+double step(const EnergyHistogram& data, const Known& known, Fit& fit) {
   struct Moments {
     double n = 0, sum = 0, squares = 0;
   };
   std::array<Moments, kMostGaussians> moments{};
-  double fixed_count = 0;
+  std::vector<double> known_counts(known.size(), 0.0);
   double log_likelihood = 0;
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     const double count = data.count(bin);
     if (count == 0) continue;
     const double energy = EnergyHistogram::energy(bin);
     std::array<double, kMostGaussians> p{};
-    const double p_fixed = fixed != nullptr ? fit.fixed_weight * (*fixed)[bin] : 0;
-    double total = p_fixed + kTiny;
+    double total = kTiny;
+    for (std::size_t k = 0; k < known.size(); ++k) total += fit.known_weights[k] * known[k][bin];
     for (std::size_t k = 0; k < fit.mixture.size(); ++k) total += p[k] = gaussian(fit.mixture[k], energy);
     log_likelihood += count * std::log(total);
-    fixed_count += count * p_fixed / total;
+    for (std::size_t k = 0; k < known.size(); ++k) {
+      known_counts[k] += count * fit.known_weights[k] * known[k][bin] / total;
+    }
     for (std::size_t k = 0; k < fit.mixture.size(); ++k) {
       const double share = count * p[k] / total;
       moments[k].n += share;
@@ -85,20 +93,19 @@ double step(const EnergyHistogram& data, const Bins* fixed, Fit& fit) {
     fit.mixture[k] = {static_cast<float>(m.n / data.total()), static_cast<float>(mean),
                       static_cast<float>(std::max(kLeastVariance, m.squares / m.n - mean * mean))};
   }
-  fit.fixed_weight = fixed_count / data.total();
+  for (std::size_t k = 0; k < known.size(); ++k) fit.known_weights[k] = known_counts[k] / data.total();
   return log_likelihood;
 }
 
 /// As many Gaussians as the Bayesian information criterion pays for.
-Fit fit(const EnergyHistogram& data, const Bins* fixed) {
+Fit fit(const EnergyHistogram& data, const Known& known) {
   const double samples = std::max(2.0, data.total() / kHopsThatAreAlike);
   Fit best;
   double least = std::numeric_limits<double>::infinity();
   for (int gaussians = 1; gaussians <= kMostGaussians; ++gaussians) {
-    Fit now = beginning(data, gaussians, fixed != nullptr);
-    for (int i = 0; i < kIterations; ++i) now.log_likelihood = step(data, fixed, now);
-    const int parameters = 3 * gaussians - (fixed != nullptr ? 0 : 1);
-    const double bic = parameters * std::log(samples) - 2 * now.log_likelihood / data.total() * samples;
+    Fit now = beginning(data, gaussians, known);
+    for (int i = 0; i < kIterations; ++i) now.log_likelihood = step(data, known, now);
+    const double bic = 3 * gaussians * std::log(samples) - 2 * now.log_likelihood / data.total() * samples;
     if (bic < least) {
       least = bic;
       best = now;
@@ -163,23 +170,36 @@ double density(const Mixture& mixture, double energy) noexcept {
   return p;
 }
 
-MeasuredMixtures fit_mixtures(const EnergyHistogram& silence, const EnergyHistogram& talk_strongest,
-                              const EnergyHistogram& talk_others) {
+MeasuredMixtures fit_mixtures(const Heard& silence, const Heard& talk) {
   MeasuredMixtures found;
-  EnergyHistogram nobody = silence;
-  nobody.add(talk_others);
-  if (nobody.total() <= 0 || talk_strongest.total() <= 0) return found;
-  found.inactive = fit(nobody, nullptr).mixture;
-  normalize(found.inactive);
+  if (silence.strongest.total() <= 0 || talk.strongest.total() <= 0) return found;
+  const auto alone = [](const EnergyHistogram& data) {
+    Mixture mixture = fit(data, {}).mixture;
+    normalize(mixture);
+    return mixture;
+  };
+  // The strongest of silence are the ones that a talker must surpass: they weigh as much as all others.
+  EnergyHistogram others = silence.others;
+  others.add(talk.others);
+  EnergyHistogram nobody = silence.strongest;
+  if (others.total() > 0) nobody.add(others, silence.strongest.total() / others.total());
+  found.inactive = alone(nobody);
 
-  const Bins fixed = densities(found.inactive);
-  const Fit talk = fit(talk_strongest, &fixed);
-  found.heard = 1 - talk.fixed_weight;
-  found.active = talk.mixture;
+  const Mixture pauses = alone(silence.strongest);
+  Known known{densities(pauses)};
+  if (talk.others.total() > 0) known.push_back(densities(alone(talk.others)));
+  const Fit heard = fit(talk.strongest, known);
+  found.active = heard.mixture;
   const double above = mean(found.inactive);
   std::erase_if(found.active, [&](const GaussianConfig& g) { return g.mu <= above || g.weight < 0.01F; });
+  for (const GaussianConfig& g : found.active) found.heard += static_cast<double>(g.weight);
+  if (found.heard < kLeastHeard) found.active.clear();
   if (found.active.empty()) return found;
   normalize(found.active);
+  if (separation(found.active, pauses).equal_error > kAlike) {
+    found.active.clear();
+    return found;
+  }
   keep_order(found.active, found.inactive, nobody.quantile(0));
   return found;
 }
