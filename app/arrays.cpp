@@ -19,7 +19,8 @@ void list(bool paths) {
   std::size_t width = 0;
   for (const ArrayFile& file : files) width = std::max(width, file.name.size());
   for (const ArrayFile& file : files) {
-    fmt::print("{:<{}}  {}\n", file.name, width, paths ? file.path.lexically_normal().string() : file.title);
+    fmt::print("{:<{}}  {}\n", file.name, width,
+               paths ? absolute(file.path).lexically_normal().string() : file.title);
   }
   if (std::fflush(stdout) != 0) throw IoError("cannot write to standard output");
 }
