@@ -14,7 +14,7 @@ export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
 
 .PHONY: all configure demo test check test-asan test-tsan test-arm64 fuzz soak bench deb install format tidy packages clean help
 
-all: configure  ## build the programs and libraries: build/bin/odas, build/bin/odaslive
+all: configure  ## build the programs and libraries: build/bin/odas, build/bin/odaslive, build/bin/odasserver
 	cmake --build build --target programs
 
 # A first configuration that failed leaves a cache behind, but nothing to build with: then it is done again.

@@ -45,6 +45,7 @@ odas::IoStatus serve(odas::StreamServer& server, odas::StreamArchive& archive, o
 int run(odas::ServerOptions options) {
   odas::ServerScreen screen(options.quiet);
   options.server.say = [&](const std::string& what) { screen.say(what); };
+  options.server.heard = [&](std::span<const odas::Track> tracks) { screen.hear(tracks); };
   odas::StreamArchive archive(options.folder, options.hop_seconds);
   odas::StreamServer server(options.server, archive);
   say_where(server, screen);

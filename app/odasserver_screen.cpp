@@ -96,12 +96,16 @@ void ServerScreen::print_lines(std::span<const Track> tracks, Clock::time_point 
   if (changed) std::fflush(stdout);
 }
 
+void ServerScreen::hear(std::span<const Track> tracks) {
+  if (!quiet_ && !on_terminal_) print_lines(tracks, Clock::now());
+}
+
 void ServerScreen::show(std::span<const Track> tracks, const std::vector<std::string>& state,
                         Clock::time_point now) {
   if (quiet_ || now - last_ < kBetweenDrawings) return;
   last_ = now;
   if (!on_terminal_) {
-    print_lines(tracks, now);
+    if (tracks.empty()) print_lines(tracks, now);
     return;
   }
   std::vector<std::string> lines = source_table(tracks);

@@ -22,7 +22,9 @@ class ServerScreen {
   ServerScreen(const ServerScreen&) = delete;
   ServerScreen& operator=(const ServerScreen&) = delete;
 
-  /// Cheap: draws at most ten times a second.
+  /// The tracks of each hop: the lines show also who is there for an instant only.
+  void hear(std::span<const Track> tracks);
+  /// From time to time: those who are there now. Cheap: draws at most ten times a second.
   void show(std::span<const Track> tracks, const std::vector<std::string>& state, Clock::time_point now);
   /// A message, on stderr; the table is drawn anew below it.
   void say(const std::string& message);

@@ -25,7 +25,7 @@ dpkg_in_root() {
 }
 
 dpkg_in_root --install "$package"
-for file in usr/bin/odas usr/bin/odaslive etc/odas/README usr/lib/systemd/system/odas@.service \
+for file in usr/bin/odas usr/bin/odaslive usr/bin/odasserver etc/odas/README usr/lib/systemd/system/odas@.service \
             usr/share/odas/configs/respeaker_usb_4_mic.cfg usr/share/man/man1/odas.1 usr/share/doc/odas/copyright; do
   [[ -s $root/$file ]] || fail "$file is not in the package"
 done

@@ -11,6 +11,7 @@ cmake --install "$build" --prefix "$prefix" >/dev/null
 
 "$prefix/bin/odas" --version
 "$prefix/bin/odaslive" -h >/dev/null
+"$prefix/bin/odasserver" -h >/dev/null
 (cd / && "$prefix/bin/odas" check sample >/dev/null && "$prefix/bin/odas" check pepper >/dev/null)
 for file in share/man/man1/odas.1 share/bash-completion/completions/odas share/doc/odas/LICENSE; do
   [[ -s $prefix/$file ]] || { echo "install: $file is missing" >&2; exit 1; }

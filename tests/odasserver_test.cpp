@@ -93,6 +93,10 @@ std::vector<StreamRecord> records_of(const std::string& stream, StreamKind kind)
   return records;
 }
 
+std::string socket_to(int port) {
+  return fmt::format("interface: {{ type = \"socket\"; ip = \"127.0.0.1\"; port = {}; }};", port);
+}
+
 ProgramRun odasserver(std::vector<std::string> words, const fs::path& folder) {
   words.insert(words.begin(), program_path("odasserver"));
   ProgramOptions options;
@@ -100,6 +104,79 @@ ProgramRun odasserver(std::vector<std::string> words, const fs::path& folder) {
   options.interrupt_when = [] { return false; };
   options.seconds = 20;
   return run_program(words, options);
+}
+
+TEST(Odasserver, keeps_what_odaslive_sends_just_as_odaslive_would_write_it) {
+  SmallRun small;
+  small.record_raw(SmallRun::sound(16000 * 2));
+  ASSERT_EQ(small.odaslive().exit_code, 0);
+
+  RunningServer server(small.file(""), {"--rate", "16000", "--channels", "4", "--bits", "16"});
+  small.potential = "format = \"json\"; " + socket_to(server.port("potential"));
+  small.tracked = "format = \"json\"; " + socket_to(server.port("tracked"));
+  small.separated = socket_to(server.port("separated"));
+  const ProgramRun sent = small.odaslive();
+  ASSERT_EQ(sent.exit_code, 0) << sent.err;
+  EXPECT_TRUE(server.says(" has gone", 3));
+  const ProgramRun received = server.end();
+  EXPECT_EQ(received.exit_code, 0) << received.err;
+  EXPECT_TRUE(has(received.err, "odasserver: what has come is in received")) << received.err;
+  EXPECT_TRUE(has(received.out, "id 1, azimuth ")) << received.out;
+
+  EXPECT_EQ(wav_samples(small.file("received/separated.wav")), small.text("separated.raw"));
+  for (const auto& [lines, bytes, kind] :
+       {std::tuple{"received/tracks.jsonl", "tracks.json", StreamKind::tracks},
+        std::tuple{"received/potentials.jsonl", "pots.json", StreamKind::potentials}}) {
+    const auto kept = records_of(small.text(lines), kind);
+    const auto written = records_of(small.text(bytes), kind);
+    ASSERT_EQ(kept.size(), written.size()) << lines;
+    for (std::size_t hop = 0; hop < kept.size(); ++hop) {
+      ASSERT_EQ(kept[hop].time, written[hop].time);
+      ASSERT_EQ(kept[hop].potentials.size(), written[hop].potentials.size());
+      for (std::size_t i = 0; i < kept[hop].potentials.size(); ++i) {
+        ASSERT_EQ(kept[hop].potentials[i].direction, written[hop].potentials[i].direction);
+        ASSERT_EQ(kept[hop].potentials[i].energy, written[hop].potentials[i].energy);
+      }
+      for (std::size_t slot = 0; slot < kept[hop].tracks.size(); ++slot) {
+        const Track &a = kept[hop].tracks[slot], &b = written[hop].tracks[slot];
+        ASSERT_EQ(a.id, b.id);
+        ASSERT_EQ(a.direction, b.direction);
+        ASSERT_EQ(a.activity, b.activity);
+      }
+    }
+  }
+}
+
+TEST(Odasserver, takes_ports_and_sound_from_the_configuration_of_the_sender) {
+  SmallRun small;
+  small.record_raw(SmallRun::sound(3200));
+  const int tracked = free_port(), separated = free_port();
+  small.tracked = "format = \"jsonl\"; " + socket_to(tracked);
+  small.separated = "fS = 48000; hopSize = 384; nBits = 24; " + socket_to(separated);
+  write_file(small.file("sender.cfg"), small.configuration());
+  ProgramOptions options;
+  options.working_directory = small.file("");
+  std::atomic<bool> stop = false;
+  options.interrupt_when = [&] { return stop.load(); };
+  std::atomic<bool> ready = false;
+  options.hear = [&](const std::string& err) { ready = has(err, "separated: listens at"); };
+  auto running = std::async(std::launch::async, [&] {
+    return run_program({program_path("odasserver"), "-c", "sender.cfg", "-o", "received", "-q"}, options);
+  });
+  for (int i = 0; i < 2000 && !ready; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const ProgramRun sent = small.odaslive();
+  EXPECT_EQ(sent.exit_code, 0) << sent.err;
+  stop = true;
+  const ProgramRun received = running.get();
+  EXPECT_EQ(received.exit_code, 0) << received.err;
+  EXPECT_EQ(received.out, "");
+  EXPECT_FALSE(has(received.err, "potential: listens")) << received.err;
+  SndfileHandle sound(small.file("received/separated.wav").string());
+  EXPECT_EQ(sound.samplerate(), 48000);
+  EXPECT_EQ(sound.channels(), 4);
+  EXPECT_EQ(sound.format() & SF_FORMAT_SUBMASK, SF_FORMAT_PCM_24);
+  const std::string lines = small.text("received/tracks.jsonl");
+  EXPECT_TRUE(lines.starts_with("{\"timeStamp\":1,\"time\":0.000000,\"utc\":\"")) << lines.substr(0, 200);
 }
 
 TEST(Odasserver, survives_reconnects_and_garbage_and_finishes_its_files) {

@@ -45,6 +45,13 @@ inline std::string content(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// The samples of a WAV file, without its header.
+inline std::string wav_samples(const std::filesystem::path& file) {
+  const std::string bytes = content(file);
+  const std::size_t data = bytes.find("data");
+  return data == std::string::npos ? "" : bytes.substr(data + 8);
+}
+
 inline void write_file(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }

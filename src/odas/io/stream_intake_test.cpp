@@ -107,7 +107,7 @@ TEST_F(AudioIntakeTest, eight_bits_become_unsigned_as_WAV_has_them) {
   const std::array<char, 3> samples{0, 127, -128};
   EXPECT_TRUE(intake.take(samples).ok());
   EXPECT_TRUE(intake.close().ok());
-  EXPECT_EQ(test::content(scratch_ / "a.wav").substr(kWavHeaderSize), std::string("\x80\xFF\x00", 3));
+  EXPECT_EQ(test::wav_samples(scratch_ / "a.wav"), std::string("\x80\xFF\x00", 3));
 }
 
 TEST_F(AudioIntakeTest, text_is_said_and_makes_no_file) {

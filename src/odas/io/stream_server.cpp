@@ -82,7 +82,7 @@ class StreamServer::Port {
   const char* name_;
   TcpListener listener_;
   StreamServer& server_;
-  std::optional<Sender> sender_;
+  std::unique_ptr<Sender> sender_;            // nullptr: nobody sends
   std::optional<Clock::time_point> refused_;  // when it was last said
 };
 
@@ -101,7 +101,8 @@ bool StreamServer::Port::turn_away(const TcpClient& client) {
 IoStatus StreamServer::Port::admit(TcpClient client) {
   if (turn_away(client)) return {};
   if (IoStatus status = part("is silent, and gives way to another sender"); !status.ok()) return status;
-  sender_ = Sender{std::move(client.socket), std::move(client.from), make_intake(), Clock::now()};
+  sender_ = std::make_unique<Sender>(
+      Sender{std::move(client.socket), std::move(client.from), make_intake(), Clock::now()});
   say("a sender has come from " + sender_->from);
   return note("begin", *sender_, "");
 }
@@ -146,13 +147,12 @@ IoStatus StreamServer::Port::read() {
 
 IoStatus StreamServer::Port::part(const char* how) {
   if (!sender_) return {};
-  Sender sender = std::move(*sender_);
-  sender_.reset();
-  IoStatus closed = sender.intake->close();
-  const std::string file = sender.intake->file();
-  say("the sender from " + sender.from + " " + how + ": " + sender.intake->amount() +
+  const std::unique_ptr<Sender> sender = std::move(sender_);
+  IoStatus closed = sender->intake->close();
+  const std::string file = sender->intake->file();
+  say("the sender from " + sender->from + " " + how + ": " + sender->intake->amount() +
       (file.empty() ? "" : " in " + file));
-  IoStatus noted = note("end", sender, file);
+  IoStatus noted = note("end", *sender, file);
   if (stream_ == Stream::tracked) server_.tracks_.clear();
   if (stream_ == Stream::category) server_.categories_.clear();
   return !closed.ok() ? closed : noted;
@@ -201,6 +201,7 @@ IoStatus StreamServer::receive(const StreamRecord& record, std::string_view text
   if (record.kind == StreamKind::tracks) {
     tracks_ = known.tracks;
     told_ = Clock::now();
+    if (config_.heard) config_.heard(tracks_);
   }
   if (record.kind == StreamKind::categories) {
     categories_.clear();

@@ -27,7 +27,8 @@ struct StreamServerConfig {
   std::array<std::optional<int>, kStreams> ports;  // none: not listened for; 0: the system chooses
   WavWriter::Format separated{44100, 4, 16};       // ODAS's, whose streams do not say it
   WavWriter::Format postfiltered{44100, 4, 16};
-  std::function<void(const std::string&)> say{};  // who comes, goes and speaks nonsense
+  std::function<void(const std::string&)> say{};        // who comes, goes and speaks nonsense
+  std::function<void(std::span<const Track>)> heard{};  // the tracks of each hop, [slot]
 };
 
 /// Receives the streams of ODAS or odas, and archives them: what the program odasserver does.

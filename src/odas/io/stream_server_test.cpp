@@ -10,7 +10,6 @@
 
 #include "odas/base/error.hpp"
 #include "odas/io/hop_encoder.hpp"
-#include "odas/io/wav_writer.hpp"
 
 namespace odas {
 namespace {
@@ -58,7 +57,7 @@ class StreamServerTest : public ::testing::Test {
   }
   [[nodiscard]] std::string sound_of(const std::string& file) {
     EXPECT_TRUE(server_->flush().ok());
-    return test::content(scratch_ / "run" / file).substr(kWavHeaderSize);
+    return test::wav_samples(scratch_ / "run" / file);
   }
 
   test::Scratch scratch_;
