@@ -128,22 +128,25 @@ void take_word(int name, const char* value, ServerOptions& options, Words& words
   }
 }
 
-/// The port that the sender dials, if it does.
-std::optional<int> dialled(const InterfaceConfig& interface, const char* name) {
-  if (interface.type == "socket") return interface.port;
-  if (interface.type == "socket_listen") {
-    std::fprintf(stderr, "odasserver: %s listens itself (socket_listen): nothing comes here of it\n", name);
+/// The first port that the sender dials for a stream, if it does.
+template <class Output>
+std::optional<int> dialled(const Output& output, const char* name) {
+  for (const Place& place : places_of(name, output)) {
+    if (place.interface->type == "socket") return place.interface->port;
+  }
+  for (const Place& place : places_of(name, output)) {
+    if (place.interface->type != "socket_listen") continue;
+    std::fprintf(stderr, "odasserver: %s listens itself (socket_listen): nothing of it comes here\n",
+                 place.path.c_str());
   }
   return std::nullopt;
 }
 
 void take_configuration(const Configuration& config, ServerOptions& options) {
   StreamServerConfig& server = options.server;
-  server.ports = {dialled(config.tracked.interface, "sst.tracked"),
-                  dialled(config.potential.interface, "ssl.potential"),
-                  dialled(config.category.interface, "classify.category"),
-                  dialled(config.separated.interface, "sss.separated"),
-                  dialled(config.postfiltered.interface, "sss.postfiltered")};
+  server.ports = {dialled(config.tracked, "sst.tracked"), dialled(config.potential, "ssl.potential"),
+                  dialled(config.category, "classify.category"), dialled(config.separated, "sss.separated"),
+                  dialled(config.postfiltered, "sss.postfiltered")};
   const std::size_t channels = config.pipeline.sst.slots();
   server.separated = {config.separated.fs, channels, config.separated.n_bits};
   server.postfiltered = {config.postfiltered.fs, channels, config.postfiltered.n_bits};
