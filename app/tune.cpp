@@ -65,12 +65,15 @@ class Measurement {
     return run(*source, 0);
   }
 
+  /// Nobody is asked to be silent for a microphone that is not there.
+  void expect_microphones() const {
+    if (make_source(config_.raw)->live()) return;
+    throw ConfigError("raw.interface",
+                      "is a recording: give one of silence and one of talk, with --silence and --talk");
+  }
+
   Energies of_room(double seconds) {
     const auto source = make_source(config_.raw);
-    if (!source->live()) {
-      throw ConfigError("raw.interface",
-                        "is a recording: give one of silence and one of talk, with --silence and --talk");
-    }
     return run(*source, seconds);
   }
 
@@ -158,6 +161,7 @@ void tune(const Arguments& arguments) {
     silence = measurement.of_file(arguments.silence);
     talk = measurement.of_file(arguments.talk);
   } else {
+    measurement.expect_microphones();
     count_down(fmt::format("be silent for {:.0f} s; what always hums may hum on", arguments.seconds), 3);
     silence = measurement.of_room(arguments.seconds);
     count_down(fmt::format("one person now talks for {:.0f} s, here and there where people will be",
@@ -169,6 +173,11 @@ void tune(const Arguments& arguments) {
   const MeasuredMixtures found = fit_mixtures(silence, talk);
   const Separation apart = separation(found.active, found.inactive);
   fmt::print("{}", histogram_text(silence, talk, apart.threshold));
+  const auto on = [&](Canvas& canvas) {
+    draw_histograms(canvas, arguments.array, silence, talk, found, apart.threshold);
+  };
+  if (!arguments.svg.empty()) write_svg(arguments.svg, kHistogramWidth, kHistogramHeight, on);
+  if (!arguments.png.empty()) write_png(arguments.png, kHistogramWidth, kHistogramHeight, on);
   if (found.active.empty()) {
     throw IoError(
         "the talk cannot be told from the silence: nothing is written. Was the right array heard, and "

@@ -102,8 +102,11 @@ TEST_F(Tune, writes_a_configuration_that_differs_in_its_mixtures_alone) {
 }
 
 TEST_F(Tune, draws_the_histograms_and_says_how_well_they_part) {
-  const ProgramRun run = tune({"--silence", sound("silence"), "--talk", sound("talk")});
+  const fs::path svg = scratch_ / "energies.svg";
+  const ProgramRun run =
+      tune({"--silence", sound("silence"), "--talk", sound("talk"), "--svg", svg.string()});
   EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(test::content(svg).find(">told apart at "), std::string::npos);
   for (const char* piece : {"strongest of each hop", " > ", "##", "Told apart at E = ", "sst.active = ("}) {
     EXPECT_NE(run.out.find(piece), std::string::npos) << piece << '\n' << run.out;
   }
@@ -119,6 +122,7 @@ TEST_F(Tune, writes_nothing_where_nobody_talked) {
 
 TEST_F(Tune, refuses_what_it_cannot_measure_and_says_what_would_do) {
   EXPECT_EQ(tune({"--silence", sound("silence")}).exit_code, 2);
+  EXPECT_NE(tune({}).err.find("is \"blackhole\""), std::string::npos) << tune({}).err;
   const ProgramRun itself =
       tune({"--silence", sound("silence"), "--talk", sound("talk"), "-o", config().string()});
   EXPECT_EQ(itself.exit_code, 1);
