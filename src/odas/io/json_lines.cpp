@@ -112,9 +112,23 @@ void put_class(TextBuffer& text, Category category) {
   text.put(category == Category::speech ? "speech\"" : "nonspeech\"");
 }
 
-class JsonLinesTracks : public HopEncoder {
+void put_track(TextBuffer& text, const Track& track) {
+  text.put(",\"tag\":");
+  text.put_quoted(track.tag.view());
+  put_direction(text, track.direction);
+  text.put(",\"activity\":");
+  text.put_fixed(track.activity);
+  put_class(text, track.category);
+}
+
+void put_category(TextBuffer& text, const Track& track) { put_class(text, track.category); }
+
+/// A row for each track that lives: its slot and id, and what `put` adds.
+class JsonLinesSlots : public HopEncoder {
  public:
-  explicit JsonLinesTracks(const StreamClock& clock) : clock_(clock) {}
+  using Put = void (*)(TextBuffer&, const Track&);
+
+  JsonLinesSlots(const StreamClock& clock, Put put) : clock_(clock), put_(put) {}
   [[nodiscard]] Wanted wanted() const noexcept override { return kTracks; }
   [[nodiscard]] std::span<const char> encode(const HopResult& hop) override {
     put_head(text_, hop.time, clock_);
@@ -125,12 +139,7 @@ class JsonLinesTracks : public HopEncoder {
       put_slot(text_, slot, first);
       text_.put(",\"id\":");
       text_.put_integer(track.id);
-      text_.put(",\"tag\":");
-      text_.put_quoted(track.tag.view());
-      put_direction(text_, track.direction);
-      text_.put(",\"activity\":");
-      text_.put_fixed(track.activity);
-      put_class(text_, track.category);
+      put_(text_, track);
       text_.put('}');
     }
     return finish(text_);
@@ -138,30 +147,7 @@ class JsonLinesTracks : public HopEncoder {
 
  private:
   StreamClock clock_;
-  TextBuffer text_{kUsualSize};
-};
-
-class JsonLinesCategories : public HopEncoder {
- public:
-  explicit JsonLinesCategories(const StreamClock& clock) : clock_(clock) {}
-  [[nodiscard]] Wanted wanted() const noexcept override { return kTracks; }
-  [[nodiscard]] std::span<const char> encode(const HopResult& hop) override {
-    put_head(text_, hop.time, clock_);
-    bool first = true;
-    for (std::size_t slot = 0; slot < hop.tracks.size(); ++slot) {
-      const Track& track = hop.tracks[slot];
-      if (track.id == 0) continue;
-      put_slot(text_, slot, first);
-      text_.put(",\"id\":");
-      text_.put_integer(track.id);
-      put_class(text_, track.category);
-      text_.put('}');
-    }
-    return finish(text_);
-  }
-
- private:
-  StreamClock clock_;
+  Put put_;
   TextBuffer text_{kUsualSize};
 };
 
@@ -171,11 +157,11 @@ std::unique_ptr<HopEncoder> make_json_lines_potentials(const StreamClock& clock)
   return std::make_unique<JsonLinesPotentials>(clock);
 }
 std::unique_ptr<HopEncoder> make_json_lines_tracks(const StreamClock& clock) {
-  return std::make_unique<JsonLinesTracks>(clock);
+  return std::make_unique<JsonLinesSlots>(clock, put_track);
 }
 
 std::unique_ptr<HopEncoder> make_json_lines_categories(const StreamClock& clock) {
-  return std::make_unique<JsonLinesCategories>(clock);
+  return std::make_unique<JsonLinesSlots>(clock, put_category);
 }
 
 }  // namespace odas

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "odas/io/tcp_dialer.hpp"
 
-#include <thread>
-
+#include "support/peer.hpp"
 #include <gtest/gtest.h>
 
 #include "odas/io/tcp_listener.hpp"
@@ -10,17 +9,7 @@
 namespace odas {
 namespace {
 
-using namespace std::chrono_literals;
-
-/// Steps until `done` or for a long time.
-template <class Done>
-bool eventually(Done&& done) {
-  for (int i = 0; i < 2000; ++i) {
-    if (done()) return true;
-    std::this_thread::sleep_for(5ms);
-  }
-  return false;
-}
+using test::eventually;
 
 TEST(TcpDialer, tries_again_after_pauses_that_grow_until_the_peer_is_there) {
   int port = 0;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "odas/io/tcp_listener.hpp"
 
-#include <thread>
-
+#include "support/peer.hpp"
 #include <gtest/gtest.h>
 
 #include "odas/base/error.hpp"
@@ -11,17 +10,7 @@
 namespace odas {
 namespace {
 
-using namespace std::chrono_literals;
-
-/// Steps until `done` or for a long time.
-template <class Done>
-bool eventually(Done&& done) {
-  for (int i = 0; i < 2000; ++i) {
-    if (done()) return true;
-    std::this_thread::sleep_for(5ms);
-  }
-  return false;
-}
+using test::eventually;
 
 /// Containers often have no IPv6.
 bool has_ipv6() {
