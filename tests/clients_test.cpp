@@ -20,7 +20,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kNetcat = "/bin/nc";
-constexpr std::size_t kFrames = 128 * 120;
+constexpr std::size_t kFrames = std::size_t{128} * 120;
 
 std::string at(const std::string& type, int port, const std::string& more = "") {
   return fmt::format("type = \"{}\"; ip = \"127.0.0.1\"; port = {}; {}", type, port, more);
@@ -40,7 +40,7 @@ std::string read_for_a_while(const NetPeer& peer) { return peer.receive_all(); }
 /// Peers that listen, each in a thread of its own, as ODAS's clients do: they are there before ODAS is.
 class Listening {
  public:
-  explicit Listening(std::function<std::string(const NetPeer&)> read = read_for_a_while)
+  explicit Listening(const std::function<std::string(const NetPeer&)>& read = read_for_a_while)
       : got_(std::async(std::launch::async, [this, read] { return read(listener_.accept()); })) {}
   [[nodiscard]] int port() const noexcept { return listener_.port(); }
   std::string got() { return got_.get(); }
@@ -59,7 +59,7 @@ class Datagrams {
     here.sin_family = AF_INET;
     here.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     socklen_t size = sizeof here;
-    ::bind(socket_, reinterpret_cast<const sockaddr*>(&here), size);
+    static_cast<void>(::bind(socket_, reinterpret_cast<const sockaddr*>(&here), size));
     ::getsockname(socket_, reinterpret_cast<sockaddr*>(&here), &size);
     port_ = ntohs(here.sin_port);
   }
@@ -111,7 +111,7 @@ TEST(Clients, every_interface_and_format_of_text_has_the_bytes_of_the_file) {
   EXPECT_EQ(tracks_lines.got(), run.text("tracks.jsonl"));
   EXPECT_EQ(potentials.got(), run.text("pots.json"));
   EXPECT_EQ(binary.got(), run.text("pots.bin"));
-  EXPECT_EQ(run.text("pots.bin").size() % (4 * 4), 0U);
+  EXPECT_EQ(run.text("pots.bin").size() % 16U, 0U);
   std::string joined;
   for (const std::string& datagram : datagrams.got()) {
     EXPECT_TRUE(datagram.starts_with("{\n    \"timeStamp\": ") && datagram.ends_with("}\n"))
@@ -132,7 +132,7 @@ TEST(Clients, every_interface_of_sound_has_the_bytes_of_the_file) {
     const ProgramRun live = run.odaslive();
     EXPECT_EQ(live.exit_code, 0) << live.err;
     const std::string bytes = run.text("separated.raw");
-    EXPECT_EQ(bytes.size(), 121 * 128 * 4 * static_cast<std::size_t>(bits) / 8);
+    EXPECT_EQ(bytes.size(), std::size_t{121} * 128 * 4 * static_cast<std::size_t>(bits) / 8);
     EXPECT_EQ(first.got(), bytes);
     EXPECT_EQ(second.got(), bytes);
     EXPECT_EQ(live.out, bytes);
@@ -218,7 +218,7 @@ TEST(Clients, many_may_listen_to_a_listening_output_and_come_late) {
   expect_the_end_of(whole, got[3], 1);
   EXPECT_TRUE(got[3].starts_with("{\n    \"timeStamp\": "));
   EXPECT_LT(got[3].size(), whole.size());
-  expect_the_end_of(run.text("separated.raw"), sound.receive_all(), 128 * 4 * 2);
+  expect_the_end_of(run.text("separated.raw"), sound.receive_all(), std::size_t{128} * 4 * 2);
   EXPECT_EQ(stranger.receive_all(), "");
 }
 
@@ -298,7 +298,7 @@ std::vector<std::string> record_like_odas_web(const std::vector<std::string>& ch
 TEST(Clients, odas_web_and_odas_ros_never_mix_the_channels_up) {
   SmallRun run;
   run.record_raw(SmallRun::sound(kFrames));
-  constexpr std::size_t kBlock = 128 * 4 * 2;
+  constexpr std::size_t kBlock = std::size_t{128} * 4 * 2;
   std::vector<std::string> chunks;
   int short_reads = 0;
   // odas_web takes what comes; odas_ros asks for just one block, and throws away what is shorter.
@@ -353,7 +353,7 @@ TEST(Clients, nc_is_enough_of_a_server) {
 
 TEST(Clients, peers_that_stall_or_vanish_change_nothing_for_the_file_and_the_exit_code) {
   SmallRun run;
-  run.record_raw(SmallRun::sound(16000 * 3));
+  run.record_raw(SmallRun::sound(48000));
   ASSERT_EQ(run.odaslive().exit_code, 0);
   const std::string tracks = run.text("tracks.json"), sound = run.text("separated.raw");
   Listening vanishes([](const NetPeer& peer) { return peer.receive(100); });
