@@ -57,7 +57,7 @@ soak() {
   step "the long forms of the tests"
   cmake --preset release -DODAS_BUILD_TESTS=ON >/dev/null
   cmake --build build
-  ODAS_SOAK=1 run_ctest build -L soak --timeout 3600
+  ODAS_SOAK=1 run_ctest build -L soak
 }
 
 check() {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include <arpa/inet.h>
@@ -19,6 +20,16 @@
 namespace odas::test {
 
 inline constexpr int kPeerPatienceMs = 20000;  // longer than any test waits where all is well
+
+/// Steps until `done`, or for as long as a peer is waited for.
+template <class Done>
+bool eventually(Done&& done) {
+  for (int ms = 0; ms < kPeerPatienceMs; ms += 5) {
+    if (done()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
 
 /// A connection. Everything waits at most kPeerPatienceMs.
 class NetPeer {
@@ -54,6 +65,12 @@ class NetPeer {
       bytes.remove_prefix(static_cast<std::size_t>(count));
     }
     return true;
+  }
+  /// What has come so far.
+  [[nodiscard]] std::string receive_now() const {
+    std::string all;
+    for (std::string piece; !(piece = receive(65536, 0)).empty();) all += piece;
+    return all;
   }
   /// What has come, once something has; "": the other side has gone, or is silent for too long.
   [[nodiscard]] std::string receive(std::size_t most = 65536, int patience_ms = kPeerPatienceMs) const {

@@ -2,17 +2,14 @@
 #include "odas/io/target_server.hpp"
 
 #include <mutex>
-#include <thread>
 
+#include "support/net_peer.hpp"
 #include <gtest/gtest.h>
-
-#include "odas/io/tcp_dialer.hpp"
-#include "odas/io/tcp_listener.hpp"
 
 namespace odas {
 namespace {
 
-using namespace std::chrono_literals;
+using test::NetPeer;
 
 /// What the server said, from its thread.
 class Said {
@@ -38,34 +35,10 @@ InterfaceConfig listening(const std::string& token = "") {
   return at;
 }
 
-FileDescriptor dial(int port) {
-  TcpDialer dialer("127.0.0.1", port);
-  for (int i = 0; i < 2000; ++i) {
-    if (auto socket = dialer.poll()) return std::move(*socket);
-    std::this_thread::sleep_for(5ms);
-  }
-  return {};
-}
-
-void send_to(const FileDescriptor& socket, const std::string& text) {
-  ASSERT_EQ(::send(socket.get(), text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
-}
-
 /// The next line that comes, or what has come until the peer went.
-std::string line_from(const FileDescriptor& socket) {
+std::string line_from(const NetPeer& peer) {
   std::string line;
-  char byte = 0;
-  for (int i = 0; i < 2000;) {
-    const ssize_t count = ::recv(socket.get(), &byte, 1, 0);
-    if (count == 0) return line;
-    if (count < 0) {
-      ++i;
-      std::this_thread::sleep_for(5ms);
-      continue;
-    }
-    if (byte == '\n') return line;
-    line += byte;
-  }
+  for (std::string byte; !(byte = peer.receive(1)).empty() && byte != "\n";) line += byte;
   return line;
 }
 
@@ -84,19 +57,19 @@ TEST_F(TargetServerTest, answers_each_message_with_what_holds_now) {
   TargetList begin;
   begin.assign(std::vector<Target>{{"lamp", {0, 0, 1}}});
   const TargetServer server = serve(listening(), begin);
-  const FileDescriptor client = dial(server.port());
-  send_to(client, R"({"add":[]})");
+  const NetPeer client = NetPeer::dial(server.port());
+  EXPECT_TRUE(client.send(R"({"add":[]})"));
   EXPECT_EQ(line_from(client), R"({"targets":[{"tag":"lamp","x":0.0,"y":0.0,"z":1.0}]})");
-  send_to(client, kDoor);
+  EXPECT_TRUE(client.send(kDoor));
   EXPECT_EQ(line_from(client), R"({"targets":[{"tag":"door","x":1.0,"y":0.0,"z":0.0}]})");
-  send_to(client, R"({"remove":["door"]})");
+  EXPECT_TRUE(client.send(R"({"remove":["door"]})"));
   EXPECT_EQ(line_from(client), R"({"targets":[]})");
 }
 
 TEST_F(TargetServerTest, nonsense_is_told_to_both_sides_and_changes_nothing) {
   const TargetServer server = serve(listening());
-  const FileDescriptor client = dial(server.port());
-  send_to(client, std::string(kDoor) + "\nGET / HTTP/1.1\r\n" + R"({"add":[]})");
+  const NetPeer client = NetPeer::dial(server.port());
+  EXPECT_TRUE(client.send(std::string(kDoor) + "\nGET / HTTP/1.1\r\n" + R"({"add":[]})"));
   EXPECT_NE(line_from(client).find("door"), std::string::npos);
   EXPECT_EQ(line_from(client), R"({"error":"is no JSON object"})");
   EXPECT_NE(line_from(client).find("door"), std::string::npos);
@@ -114,8 +87,8 @@ TEST_F(TargetServerTest, targets_reach_the_engine_and_stay_when_their_sender_goe
   config.ssl.scans = {{.level = 1, .delta = 1}};
   Pipeline pipeline(config);
   {
-    const FileDescriptor client = dial(server.port());
-    send_to(client, kDoor);
+    const NetPeer client = NetPeer::dial(server.port());
+    EXPECT_TRUE(client.send(kDoor));
     ASSERT_NE(line_from(client).find("door"), std::string::npos);
   }
   const Grid<float> silence(pipeline.mics(), pipeline.hop_size());
@@ -128,37 +101,35 @@ TEST_F(TargetServerTest, targets_reach_the_engine_and_stay_when_their_sender_goe
 
 TEST_F(TargetServerTest, without_the_token_nobody_is_heard) {
   const TargetServer server = serve(listening("s3cret"));
-  const FileDescriptor stranger = dial(server.port());
-  send_to(stranger, std::string(kDoor) + "\n");
+  const NetPeer stranger = NetPeer::dial(server.port());
+  EXPECT_TRUE(stranger.send(std::string(kDoor) + "\n"));
   EXPECT_EQ(line_from(stranger), R"({"error":"the first line must be the token"})");
   EXPECT_EQ(line_from(stranger), "") << "and the connection is closed";
-  const FileDescriptor friendly = dial(server.port());
-  send_to(friendly, "s3cret\n" + std::string(R"({"add":[]})"));
+  const NetPeer friendly = NetPeer::dial(server.port());
+  EXPECT_TRUE(friendly.send("s3cret\n" + std::string(R"({"add":[]})")));
   EXPECT_EQ(line_from(friendly), R"({"targets":[]})");
 }
 
 TEST_F(TargetServerTest, dials_a_peer_again_and_again) {
-  TcpListener peer("", 0);
+  const test::NetListener listener;
   InterfaceConfig at;
   at.type = "socket";
   at.ip = "127.0.0.1";
-  at.port = peer.port();
+  at.port = listener.port();
   const TargetServer server = serve(at);
   for (int time = 0; time < 2; ++time) {
-    std::optional<TcpClient> dialled;
-    for (int i = 0; i < 2000 && !(dialled = peer.accept()); ++i) std::this_thread::sleep_for(5ms);
-    ASSERT_TRUE(dialled);
-    send_to(dialled->socket, kDoor);
-    EXPECT_NE(line_from(dialled->socket).find("door"), std::string::npos);
+    const NetPeer peer = listener.accept();
+    EXPECT_TRUE(peer.send(kDoor));
+    EXPECT_NE(line_from(peer).find("door"), std::string::npos);
   }
 }
 
 TEST_F(TargetServerTest, many_clients_who_come_and_stay_silent_lock_nobody_out) {
   const TargetServer server = serve(listening());
-  std::vector<FileDescriptor> silent;
-  for (int i = 0; i < 40; ++i) silent.push_back(dial(server.port()));
-  const FileDescriptor client = dial(server.port());
-  send_to(client, kDoor);
+  std::vector<NetPeer> silent;
+  for (int i = 0; i < 40; ++i) silent.push_back(NetPeer::dial(server.port()));
+  const NetPeer client = NetPeer::dial(server.port());
+  EXPECT_TRUE(client.send(kDoor));
   EXPECT_NE(line_from(client).find("door"), std::string::npos);
 }
 

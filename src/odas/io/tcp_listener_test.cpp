@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "odas/io/tcp_listener.hpp"
 
-#include "support/peer.hpp"
+#include "support/net_peer.hpp"
 #include <gtest/gtest.h>
 
 #include "odas/base/error.hpp"

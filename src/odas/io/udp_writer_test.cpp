@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "odas/io/udp_writer.hpp"
 
-#include "support/peer.hpp"
+#include "support/net_peer.hpp"
+#include <gtest/gtest.h>
 #include <netinet/in.h>
 
 namespace odas {
