@@ -16,7 +16,7 @@ arm64=(g++-aarch64-linux-gnu qemu-user-static libc6:arm64 libstdc++6:arm64 libff
        libsamplerate0-dev:arm64 libhwy-dev:arm64 libgtest-dev:arm64 librapidcheck-dev:arm64)
 
 arm64_programs=(libconfig++-dev:arm64 libsndfile1-dev:arm64 libasound2-dev:arm64 libpulse-dev:arm64
-                libfmt-dev:arm64 dpkg-dev)
+                libfmt-dev:arm64 libcairo2-dev:arm64 dpkg-dev)
 
 say() { echo "packages: $*" >&2; }
 
