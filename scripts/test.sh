@@ -17,7 +17,7 @@ asan() {
   step "clang 14 builds everything; ASan and UBSan watch all tests"
   cmake --preset asan-ubsan >/dev/null
   cmake --build build-asan-ubsan
-  run_ctest build-asan-ubsan -LE tree
+  LSAN_OPTIONS="suppressions=$PWD/scripts/lsan.supp:print_suppressions=0" run_ctest build-asan-ubsan -LE tree
 }
 
 tsan() {
