@@ -41,7 +41,9 @@ bool left_out(const ProgramRun& run) {
 
 void expect_nothing_lost(const ProgramRun& run) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.err.find("0 hops dropped, 0 lost by peers; 0 blocks and 0 frames of the source lost"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("0 hops dropped, 0 lost by peers; 0 blocks and 0 frames of the source lost"),
+            std::string::npos)
+      << run.err;
   EXPECT_EQ(run.err.find("overrun"), std::string::npos) << run.err;
 }
 
