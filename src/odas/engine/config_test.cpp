@@ -8,11 +8,9 @@ namespace odas {
 namespace {
 
 TEST(EngineConfig, Has_a_sound_schema_and_defaults_within_it) {
-  test::expect_sound_defaults<RawConfig>();
   test::expect_sound_defaults<MappingConfig>();
   test::expect_sound_defaults<TextOutputConfig>();
   test::expect_sound_defaults<AudioOutputConfig>();
-  test::expect_sound_defaults<InterfaceConfig>();
   test::expect_sound_defaults<ControlConfig>();
 }
 
