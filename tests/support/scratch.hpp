@@ -10,10 +10,12 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace odas::test {
 
-/// A folder of its own for the running test, empty; removed at the end.
+/// A folder of its own for the running test, empty; removed at the end. The same test may run twice at a
+/// time.
 class Scratch {
  public:
   Scratch() {
@@ -22,7 +24,7 @@ class Scratch {
     for (char& c : name) {
       if (c == '/') c = '_';
     }
-    folder_ = std::filesystem::path(testing::TempDir()) / ("odas_" + name);
+    folder_ = std::filesystem::path(testing::TempDir()) / ("odas_" + name + "_" + std::to_string(::getpid()));
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
