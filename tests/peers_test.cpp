@@ -23,6 +23,7 @@ namespace {
 constexpr std::size_t kSlots = 4, kHop = 1024;
 constexpr std::size_t kFrame = kSlots * 3, kBlock = kHop * kFrame;  // bytes, 24 bits
 constexpr std::uint64_t kSamples = std::uint64_t{1} << 22;          // then the numbers begin anew
+constexpr std::uint64_t kRound = kSamples / kHop;                   // hops
 
 /// Sound of which each sample says its slot and its number, so that a slip shows.
 class NumberedHops {
@@ -51,7 +52,8 @@ class NumberedHops {
 /// What one connection brings: whole records, each later than the one before.
 class Checker {
  public:
-  explicit Checker(bool is_sound) : is_sound_(is_sound) {}
+  /// `before`: a hop that is earlier than all that come, by less than the numbers take to come round.
+  explicit Checker(bool is_sound, HopIndex before = 0) : is_sound_(is_sound), last_(before) {}
 
   void take(const std::string& bytes) {
     if (is_sound_) {
@@ -85,9 +87,8 @@ class Checker {
       ASSERT_EQ(number_at(at + 3 * i), first * kSlots + i) << "a channel has slipped";
     }
     // Numbers come round: the hop is the next one of that number.
-    constexpr std::uint64_t kHops = kSamples / kHop;
     HopIndex time = first / kHop + 1;
-    while (time <= last_) time += kHops;
+    while (time <= last_) time += kRound;
     count(time);
   }
   void count(HopIndex time) {
@@ -97,9 +98,9 @@ class Checker {
   }
 
   bool is_sound_;
+  HopIndex last_;
   std::string pending_;
   JsonCutter cutter_;
-  HopIndex last_ = 0;
   std::uint64_t records_ = 0;
 };
 
@@ -107,7 +108,8 @@ class Checker {
 class Endpoint {
  public:
   /// `port` 0: he dials, at the port that `sink` listens at; else he listens there.
-  Endpoint(Sink& sink, int port, bool is_sound) : sink_(&sink), own_port_(port), is_sound_(is_sound) {
+  Endpoint(Sink& sink, int port, bool is_sound, const HopIndex& now)
+      : sink_(&sink), now_(&now), own_port_(port), is_sound_(is_sound) {
     if (port == 0) {
       const std::string name = sink.name();
       their_port_ = std::stoi(name.substr(name.rfind(':') + 1));
@@ -165,7 +167,7 @@ class Endpoint {
  private:
   void begin() {
     before_ += checker_.records();
-    checker_ = Checker(is_sound_);
+    checker_ = Checker(is_sound_, *now_ - std::min(*now_, kRound / 2));
   }
   void vanish(bool at_once) {
     if (at_once) peer_.reset();
@@ -180,6 +182,7 @@ class Endpoint {
   }
 
   Sink* sink_;
+  const HopIndex* now_;
   int own_port_, their_port_ = 0;
   bool is_sound_;
   std::optional<NetListener> listener_;
@@ -226,12 +229,12 @@ class Wildlife {
     options.say = [this](const std::string& what) { said_ += what + "\n"; };
     sinks_ = make_sinks(config, options);
     if (sinks_.size() != 8) throw std::runtime_error("not all outputs are there");
-    endpoints_.emplace_back(*sinks_[0], 0, false);
-    endpoints_.emplace_back(*sinks_[1], tracked, false);
-    endpoints_.emplace_back(*sinks_[3], separated, true);
-    endpoints_.emplace_back(*sinks_[4], 0, true);
-    endpoints_.emplace_back(*sinks_[5], tame, true);
-    endpoints_.emplace_back(*sinks_[6], 0, true);
+    endpoints_.emplace_back(*sinks_[0], 0, false, time_);
+    endpoints_.emplace_back(*sinks_[1], tracked, false, time_);
+    endpoints_.emplace_back(*sinks_[3], separated, true, time_);
+    endpoints_.emplace_back(*sinks_[4], 0, true, time_);
+    endpoints_.emplace_back(*sinks_[5], tame, true, time_);
+    endpoints_.emplace_back(*sinks_[6], 0, true, time_);
   }
 
   /// The tame ones come before the first hop, so that each hop reaches them or is counted.
