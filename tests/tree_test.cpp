@@ -66,12 +66,12 @@ std::vector<std::string> includes_of(const std::string& text) {
   return found;
 }
 
-/// base <- array <- dsp <- {...} <- pipeline <- {config, engine} <- {io, scene}; a room sees those of lower
-/// rank.
+/// base <- array <- dsp <- {...} <- pipeline <- {config, engine} <- {io, scene} <- studio; a room sees those
+/// of lower rank.
 const std::map<std::string, int> kRank{
     {"base", 0},       {"array", 1},    {"dsp", 2},    {"localization", 3}, {"tracking", 3},
     {"separation", 3}, {"pipeline", 4}, {"config", 5}, {"engine", 5},       {"classification", 3},
-    {"io", 6},         {"scene", 6},    {"studio", 6}};
+    {"io", 6},         {"scene", 6},    {"studio", 7}};
 constexpr int kPipelineRank = 4;
 
 bool may_include(const std::string& room, const std::string& header) {
