@@ -185,6 +185,7 @@ std::vector<Section> sections_of(Configuration& c) {
       {"sst", {{&c.pipeline.sst, SstConfig::schema()}, {&c, TrackedGroup::schema()}}},
       {"sss", {{&c.pipeline.sss, SssConfig::schema()}, {&c, AudioGroup::schema()}}},
       {"classify", {{&c.pipeline.classify, ClassifyConfig::schema()}, {&c, CategoryGroup::schema()}}},
+      {"studio", {{&c.studio, StudioConfig::schema()}}},
   };
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "odas/base/field.hpp"
+#include "odas/engine/studio_config.hpp"
 #include "odas/pipeline/config.hpp"
 
 namespace odas {
@@ -97,6 +98,7 @@ struct Configuration {
   ControlConfig control;
   AudioOutputConfig separated;
   AudioOutputConfig postfiltered;
+  StudioConfig studio;
 };
 
 /// Where a stream goes: one of its interfaces, blackholes too.

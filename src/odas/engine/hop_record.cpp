@@ -21,13 +21,15 @@ void copy(GridView<const float> from, Grid<float>& to) noexcept {
 
 }  // namespace
 
-HopRecord::HopRecord(const Wanted& wanted, const PipelineConfig& config) {
+HopRecord::HopRecord(const Wanted& wanted, const PipelineConfig& config, std::size_t power_directions) {
   const auto hop = static_cast<std::size_t>(config.general.size.hop_size);
   const std::size_t slots = config.sst.slots();
   if (wanted.potentials) potentials_.resize(static_cast<std::size_t>(config.ssl.n_pots));
   if (wanted.tracks) tracks_.resize(slots);
   if (wanted.separated) separated_ = Grid<float>(slots, hop);
   if (wanted.postfiltered) postfiltered_ = Grid<float>(slots, hop);
+  if (wanted.mics) mics_ = Grid<float>(config.general.mics.size(), hop);
+  if (wanted.power_map) power_.resize(power_directions);
 }
 
 void HopRecord::assign(const HopResult& hop) noexcept {
@@ -36,10 +38,12 @@ void HopRecord::assign(const HopResult& hop) noexcept {
   copy(hop.tracks, tracks_);
   copy(hop.separated, separated_);
   copy(hop.postfiltered, postfiltered_);
+  copy(hop.mics, mics_);
+  copy(hop.power, power_);
 }
 
 HopResult HopRecord::view() const noexcept {
-  return {time_, potentials_, tracks_, separated_.view(), postfiltered_.view()};
+  return {time_, potentials_, tracks_, separated_.view(), postfiltered_.view(), mics_.view(), power_};
 }
 
 }  // namespace odas

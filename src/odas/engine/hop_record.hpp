@@ -10,8 +10,8 @@ namespace odas {
 /// An owned copy of the parts of a hop that a sink reads, to wait in its queue. Copying allocates nothing.
 class HopRecord {
  public:
-  /// Of the shapes that `pipeline` gives.
-  HopRecord(const Wanted& wanted, const PipelineConfig& config);
+  /// Of the shapes that a pipeline of `config` gives; `power_directions`: the size of its power grid.
+  HopRecord(const Wanted& wanted, const PipelineConfig& config, std::size_t power_directions = 0);
 
   void assign(const HopResult& hop) noexcept;
   [[nodiscard]] HopResult view() const noexcept;
@@ -25,6 +25,8 @@ class HopRecord {
   std::vector<Track> tracks_;
   Grid<float> separated_;
   Grid<float> postfiltered_;
+  Grid<float> mics_;
+  std::vector<float> power_;
 };
 
 }  // namespace odas

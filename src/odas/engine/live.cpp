@@ -28,8 +28,11 @@ struct Block {
 /// The engine's results on their way to the sinks: a queue for each, and a bell that wakes their thread.
 class Outbox {
  public:
-  Outbox(std::span<Sink* const> sinks, const PipelineConfig& config, bool may_drop) : may_drop_(may_drop) {
-    for (const Sink* sink : sinks) queues_.emplace_back(kQueueLength, HopRecord(sink->wanted(), config));
+  Outbox(std::span<Sink* const> sinks, const PipelineConfig& config, const Pipeline& pipeline, bool may_drop)
+      : may_drop_(may_drop) {
+    for (const Sink* sink : sinks) {
+      queues_.emplace_back(kQueueLength, HopRecord(sink->wanted(), config, pipeline.power_grid().size()));
+    }
   }
 
   /// Engine: hands a hop to all sinks.
@@ -117,7 +120,7 @@ RunSummary run_live(AudioSource& source, const Configuration& config, Pipeline& 
   BlockFeed feed(source, options, summary);
   SinkGroup group(sinks);
   HealthWatch watch(loop.health(), source.sample_rate(), feed);
-  Outbox outbox(sinks, config.pipeline, source.live());
+  Outbox outbox(sinks, config.pipeline, pipeline, source.live());
   SpscQueue<Block> inbox(kQueueLength,
                          {Grid<float>(source.channels(), static_cast<std::size_t>(config.raw.hop_size))});
 

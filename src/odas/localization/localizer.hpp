@@ -35,6 +35,14 @@ class Localizer {
   virtual void locate(GridView<const cfloat> spectra, GridView<const float> noise_psd,
                       std::span<Potential> potentials) noexcept = 0;
   [[nodiscard]] virtual bool needs_noise() const noexcept = 0;
+
+  /// From now on the energy of every direction of the coarsest grid is kept. Allocates: before the first hop.
+  virtual void keep_power_map() = 0;
+  /// Of the last hop, before any potential was cut out: E of each direction of `power_grid`, 0 where nobody
+  /// hears it. Empty unless it is kept.
+  [[nodiscard]] virtual std::span<const float> power_map() const noexcept = 0;
+  [[nodiscard]] virtual std::span<const Vec3> power_grid() const noexcept = 0;
+
   virtual void reset() noexcept = 0;
   [[nodiscard]] virtual LocalizerPlan plan() const = 0;
 };

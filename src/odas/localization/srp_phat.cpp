@@ -40,6 +40,7 @@ void SrpPhat::locate(GridView<const cfloat> spectra, GridView<const float> noise
   lag_products(re_, im_, plan_.pairs, table_, scratch_, correlations_);
   for (std::size_t p = 0; p < potentials.size(); ++p) {
     if (p > 0) cut_out(winner_);
+    first_search_ = p == 0;
     potentials[p] = search();
   }
 }
@@ -47,6 +48,7 @@ void SrpPhat::locate(GridView<const cfloat> spectra, GridView<const float> noise
 void SrpPhat::reset() noexcept {
   correlations_.fill(0);
   maxima_.fill(0);
+  std::fill(power_.begin(), power_.end(), 0.F);
   winner_ = 0;
   if (weights_) weights_->reset();
 }
@@ -78,6 +80,7 @@ Potential SrpPhat::search() noexcept {
     }
     const SearchPlan::Cell& cell = level.cells[l == 0 ? 0 : winner];
     gather_sums(rows_, cell.columns, sums_);
+    if (l == 0 && first_search_ && !power_.empty()) draw_power_map(cell);
     std::size_t best = 0;
     energy = -std::numeric_limits<float>::infinity();
     for (std::size_t c = 0; c < cell.points.size(); ++c) {
@@ -93,6 +96,10 @@ Potential SrpPhat::search() noexcept {
   }
   winner_ = winner;
   return {plan_.levels.back().directions[winner], energy};
+}
+
+void SrpPhat::draw_power_map(const SearchPlan::Cell& cell) noexcept {
+  for (std::size_t c = 0; c < cell.points.size(); ++c) power_[cell.points[c]] = sums_[c] / cell.pairs[c];
 }
 
 void SrpPhat::cut_out(std::size_t point) noexcept {

@@ -33,12 +33,18 @@ class SrpPhat final : public Localizer {
   void locate(GridView<const cfloat> spectra, GridView<const float> noise_psd,
               std::span<Potential> potentials) noexcept override;
   [[nodiscard]] bool needs_noise() const noexcept override { return weights_.has_value(); }
+  void keep_power_map() override { power_.resize(power_grid().size()); }
+  [[nodiscard]] std::span<const float> power_map() const noexcept override { return power_; }
+  [[nodiscard]] std::span<const Vec3> power_grid() const noexcept override {
+    return plan_.levels.front().directions;
+  }
   void reset() noexcept override;
   [[nodiscard]] LocalizerPlan plan() const override { return plan_.summary; }
 
  private:
   void whiten(GridView<const cfloat> spectra) noexcept;
   [[nodiscard]] Potential search() noexcept;
+  void draw_power_map(const SearchPlan::Cell& cell) noexcept;
   void cut_out(std::size_t point) noexcept;
 
   float epsilon_;
@@ -51,6 +57,8 @@ class SrpPhat final : public Localizer {
   std::vector<float> scratch_;
   std::vector<const float*> rows_;  // [pair]: of correlations_, or of maxima_ where delta > 0
   std::vector<float> sums_;         // [candidate]
+  std::vector<float> power_;        // [direction of the coarsest grid], if kept
+  bool first_search_ = true;        // of this hop: nothing was cut out yet
   std::size_t winner_ = 0;          // of the last search, in the finest grid
 };
 

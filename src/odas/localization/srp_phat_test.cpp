@@ -61,6 +61,27 @@ TEST(SrpPhat, Hears_two_plane_waves) {
   EXPECT_NEAR(found[0].energy, 0.5F, 0.15F);
 }
 
+TEST(SrpPhat, Keeps_the_energy_of_all_directions_where_it_is_asked_to) {
+  const GeneralConfig general = test::tetrahedron(0.12F);
+  SrpPhat localizer(general, {});
+  const Vec3 u = direction_of(70, 20);
+  const auto without = located(localizer, test::plane_wave(general, u));
+  EXPECT_TRUE(localizer.power_map().empty());
+
+  localizer.reset();
+  localizer.keep_power_map();
+  const auto with = located(localizer, test::plane_wave(general, u));
+  const auto map = localizer.power_map();
+  ASSERT_EQ(map.size(), localizer.power_grid().size());
+  const auto peak = static_cast<std::size_t>(std::max_element(map.begin(), map.end()) - map.begin());
+  EXPECT_LT(angle_deg(localizer.power_grid()[peak], u), 15) << "the coarse grid's nearest direction";
+  EXPECT_GT(map[peak], 0.9F) << "not that of a later search, whose peak was cut out";
+  for (std::size_t p = 0; p < with.size(); ++p) {
+    EXPECT_EQ(with[p].direction, without[p].direction);
+    EXPECT_EQ(with[p].energy, without[p].energy);
+  }
+}
+
 TEST(SrpPhat, Does_not_depend_on_the_level) {
   const GeneralConfig general = test::tetrahedron(0.12F);
   SrpPhat localizer(general, {});

@@ -19,6 +19,9 @@ struct Wanted {
   bool separated = true;
   bool postfiltered = true;
   bool categories = false;  // the classes of the tracks: asked for expressly, since they need the voices
+  // Asked for expressly, too:
+  bool mics = false;       // the microphones themselves, as the pipeline heard them
+  bool power_map = false;  // the energy of every direction of the coarsest grid
 };
 
 /// All that the pipeline needs to know: the sections general, sne, ssl, sst, sss of the configuration.

@@ -25,7 +25,7 @@ struct Stages {
         separated(wanted.separated || classifier),
         beamformer(separated || post_filter),
         tracker(wanted.tracks || beamformer),
-        localizer(wanted.potentials || tracker) {}
+        localizer(wanted.potentials || wanted.power_map || tracker) {}
   bool post_filter, classifier, separated, beamformer, tracker, localizer;
 };
 
@@ -78,6 +78,7 @@ Pipeline::Parts::Parts(const PipelineConfig& config)
   if (stages.localizer) {
     localizer = make_localizer(config.general, config.ssl);
     potentials.resize(size(config.ssl.n_pots));
+    if (wanted.power_map) localizer->keep_power_map();
   }
   if (stages.tracker) {
     tracker = make_tracker(config.sst, {static_cast<double>(hop_size) / sample_rate,
@@ -113,7 +114,8 @@ HopResult Pipeline::process_hop(GridView<const float> mics) noexcept {
   ODAS_EXPECT(mics.rows() == p.mics && mics.cols() == p.hop_size);
   ++p.time;
   const GridView<cfloat> spectra = p.lookback.begin_hop();
-  p.stft.analyse(p.guard.pass(mics), spectra);
+  const GridView<const float> heard = p.guard.pass(mics);
+  p.stft.analyse(heard, spectra);
   if (p.noise) p.noise->update(spectra);
   const GridView<const float> noise_psd = p.noise ? p.noise->psd() : GridView<const float>();
   if (p.localizer) p.localizer->locate(spectra, noise_psd, p.potentials);
@@ -129,7 +131,10 @@ HopResult Pipeline::process_hop(GridView<const float> mics) noexcept {
     p.post_filter->apply(then, noise_psd, voices, *p.beamformer, p.beams, p.filtered);
     p.postfiltered_istft->synthesise(p.filtered, p.postfiltered);
   }
-  return {p.time, p.potentials, p.tracks, p.separated, p.postfiltered};
+  HopResult result{p.time, p.potentials, p.tracks, p.separated, p.postfiltered};
+  if (p.wanted.mics) result.mics = heard;
+  if (p.localizer) result.power = p.localizer->power_map();
+  return result;
 }
 
 void Pipeline::skip_hops(HopIndex hops) noexcept { parts_->time += hops; }
@@ -161,6 +166,9 @@ std::size_t Pipeline::mics() const noexcept { return parts_->mics; }
 std::size_t Pipeline::hop_size() const noexcept { return parts_->hop_size; }
 std::size_t Pipeline::slots() const noexcept { return parts_->slots(); }
 int Pipeline::sample_rate() const noexcept { return parts_->sample_rate; }
+std::span<const Vec3> Pipeline::power_grid() const noexcept {
+  return parts_->wanted.power_map ? parts_->localizer->power_grid() : std::span<const Vec3>();
+}
 std::size_t Pipeline::lookback_hops() const noexcept { return parts_->lookback.hops(); }
 std::uint64_t Pipeline::non_finite_samples() const noexcept { return parts_->guard.refused(); }
 

@@ -18,6 +18,9 @@ struct HopResult {
   // Of the sound `lookback_hops` hops ago, with the tracks of now:
   GridView<const float> separated;     // [slot][hop], full scale 1, processing rate, before gain_sep
   GridView<const float> postfiltered;  // [slot][hop], before gain_pf
+  // Of the hop itself, where expressly asked for:
+  GridView<const float> mics{};    // [mic][hop]
+  std::span<const float> power{};  // [direction of Pipeline::power_grid], E
 };
 
 /// The whole of hearing, one hop at a time: microphones in, directions, tracks and voices out.
@@ -52,6 +55,8 @@ class Pipeline {
   [[nodiscard]] std::size_t hop_size() const noexcept;
   [[nodiscard]] std::size_t slots() const noexcept;
   [[nodiscard]] int sample_rate() const noexcept;
+  /// The directions of `HopResult::power`; empty where nobody wants it.
+  [[nodiscard]] std::span<const Vec3> power_grid() const noexcept;
   /// Hops by which separated audio comes later than potentials and tracks; 0 where there is no such audio.
   [[nodiscard]] std::size_t lookback_hops() const noexcept;
 

@@ -120,6 +120,23 @@ std::vector<float> talker(std::size_t size) {
   return out;
 }
 
+TEST(Pipeline, Hands_out_microphones_and_power_map_where_they_are_asked_for) {
+  PipelineConfig config = tetrahedron_config();
+  FarSource source(config.general, direction_of(30, 10), 20);
+  Pipeline without(config);
+  EXPECT_TRUE(without.process_hop(source.hop(0)).mics.empty());
+  EXPECT_TRUE(without.process_hop(source.hop(0)).power.empty());
+  EXPECT_TRUE(without.power_grid().empty());
+
+  config.wanted = {false, false, false, false, false, true, true};
+  Pipeline with(config);
+  HopResult heard;
+  for (std::size_t h = 0; h < source.hops(); ++h) heard = with.process_hop(source.hop(h));
+  EXPECT_EQ(heard.mics[2][17], source.hop(source.hops() - 1)[2][17]);
+  ASSERT_EQ(heard.power.size(), with.power_grid().size());
+  EXPECT_GT(*std::max_element(heard.power.begin(), heard.power.end()), 0.5F);
+}
+
 TEST(Pipeline, Writes_into_each_track_whether_it_speaks_where_somebody_asks) {
   PipelineConfig config = tetrahedron_config();
   config.wanted = {.potentials = false, .tracks = false, .separated = false, .postfiltered = false};
