@@ -39,12 +39,12 @@ RunSummary run_configuration(const std::string& file, const ConfiguredRun& how, 
     const auto heartbeat = ServiceHeartbeat::from_environment();
     if (heartbeat) all.push_back(heartbeat.get());
 
-    TargetInbox inbox;
+    TargetList begin;
+    begin.assign(targets_of(config.pipeline.sst));
+    TargetInbox inbox(begin);
     std::optional<TargetServer> server;
     if (const InterfaceConfig& at = config.control.interface; at.type != "blackhole") {
-      TargetList begin;
-      begin.assign(targets_of(config.pipeline.sst));
-      server.emplace(at, begin, inbox, [&](const std::string& what) { say(program, "targets: " + what); });
+      server.emplace(at, inbox, [&](const std::string& what) { say(program, "targets: " + what); });
     }
 
     RunOptions options;

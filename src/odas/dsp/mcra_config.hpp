@@ -13,6 +13,7 @@ struct McraConfig {
   float delta = 3;
   float alpha_d = 0.1F;
   static Schema schema();
+  friend bool operator==(const McraConfig&, const McraConfig&) = default;
 };
 
 }  // namespace odas

@@ -14,13 +14,14 @@ std::uint64_t run_out_hops(const Configuration& config) {
 }  // namespace
 
 HopLoop::HopLoop(const Configuration& config, std::size_t channels, int source_rate, Pipeline& pipeline,
-                 TargetInbox* targets)
+                 TargetInbox* targets, PipelineInbox* pipelines)
     : front_end_(config, channels, source_rate),
       gaps_(source_rate, pipeline.sample_rate(), pipeline.hop_size(),
             run_out_hops(config) + pipeline.lookback_hops()),
       silence_(channels, front_end_.block_size()),
       pipeline_(pipeline),
       targets_(targets),
+      pipelines_(pipelines),
       hop_(pipeline.mics(), pipeline.hop_size()) {
   ODAS_EXPECT(front_end_.mics() == pipeline.mics());
 }

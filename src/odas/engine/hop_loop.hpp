@@ -7,6 +7,7 @@
 #include "odas/engine/front_end.hpp"
 #include "odas/engine/gap_plan.hpp"
 #include "odas/engine/metrics.hpp"
+#include "odas/engine/pipeline_inbox.hpp"
 #include "odas/engine/target_inbox.hpp"
 #include "odas/pipeline/pipeline.hpp"
 
@@ -16,10 +17,11 @@ namespace odas {
 /// threads does in its stead.
 class HopLoop {
  public:
-  /// `targets`: whence fixed directions come while it goes on, or nullptr. Throws ConfigError where source,
+  /// `targets`, `pipelines`: whence fixed directions and new pipelines come while it goes on, or nullptr.
+  /// Throws ConfigError where source,
   /// configuration and pipeline do not fit each other.
   HopLoop(const Configuration& config, std::size_t channels, int source_rate, Pipeline& pipeline,
-          TargetInbox* targets = nullptr);
+          TargetInbox* targets = nullptr, PipelineInbox* pipelines = nullptr);
 
   /// `take(const HopResult&)` is called for each hop that the block completes.
   template <class Take>
@@ -59,6 +61,7 @@ class HopLoop {
 
  private:
   HopResult process() noexcept {
+    if (pipelines_ != nullptr) pipelines_->deliver(pipeline_);
     if (targets_ != nullptr) targets_->deliver(pipeline_);
     const auto start = std::chrono::steady_clock::now();
     const HopResult result = pipeline_.process_hop(hop_);
@@ -73,6 +76,7 @@ class HopLoop {
   Grid<float> silence_;  // [channel][raw hop]
   Pipeline& pipeline_;
   TargetInbox* targets_;
+  PipelineInbox* pipelines_;
   Grid<float> hop_;  // [mic][hop]
   TimeHistogram hop_time_;
   std::uint64_t hops_ = 0;

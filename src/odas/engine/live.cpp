@@ -116,7 +116,7 @@ void run_engine(SpscQueue<Block>& inbox, HopLoop& loop, Outbox& outbox, bool pad
 RunSummary run_live(AudioSource& source, const Configuration& config, Pipeline& pipeline,
                     std::span<Sink* const> sinks, const RunOptions& options) {
   RunSummary summary;
-  HopLoop loop(config, source.channels(), source.sample_rate(), pipeline, options.targets);
+  HopLoop loop(config, source.channels(), source.sample_rate(), pipeline, options.targets, options.pipelines);
   BlockFeed feed(source, options, summary);
   SinkGroup group(sinks);
   HealthWatch watch(loop.health(), source.sample_rate(), feed);

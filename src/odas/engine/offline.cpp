@@ -13,7 +13,7 @@ RunSummary run_offline(AudioSource& source, const Configuration& config, Pipelin
                        std::span<Sink* const> sinks, const RunOptions& options) {
   const FlushDenormals flush_denormals;
   RunSummary summary;
-  HopLoop loop(config, source.channels(), source.sample_rate(), pipeline, options.targets);
+  HopLoop loop(config, source.channels(), source.sample_rate(), pipeline, options.targets, options.pipelines);
   BlockFeed feed(source, options, summary);
   SinkGroup group(sinks);
   HealthWatch watch(loop.health(), source.sample_rate(), feed);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "odas/engine/metrics.hpp"
+#include "odas/engine/pipeline_inbox.hpp"
 #include "odas/engine/target_inbox.hpp"
 
 namespace odas {
@@ -23,6 +24,8 @@ struct RunOptions {
   const std::atomic<bool>* stop = nullptr;
   /// Whence fixed directions come and go while it runs; nullptr: those of the configuration hold.
   TargetInbox* targets = nullptr;
+  /// Whence new pipelines come while it runs, to take the place of the one that does; nullptr: it stays.
+  PipelineInbox* pipelines = nullptr;
   /// Frames read so far, and of how many. Called for each block, in the thread of the caller.
   std::function<void(std::uint64_t done, std::optional<std::uint64_t> total)> progress;
   /// Told at once of what a user should know but what does not end the run: "microphone 3 (channel 4) is

@@ -38,13 +38,8 @@ std::string to_json(const TargetList& targets) {
 
 class TargetServer::Server {
  public:
-  Server(const InterfaceConfig& at, const TargetList& begin, TargetInbox& inbox,
-         std::function<void(const std::string&)> say)
-      : token_(at.token),
-        targets_(begin),
-        inbox_(inbox),
-        say_(std::move(say)),
-        wake_(::eventfd(0, EFD_CLOEXEC)) {
+  Server(const InterfaceConfig& at, TargetInbox& inbox, std::function<void(const std::string&)> say)
+      : token_(at.token), inbox_(inbox), say_(std::move(say)), wake_(::eventfd(0, EFD_CLOEXEC)) {
     if (at.type == "socket") {
       dialer_.emplace(at.ip, at.port);
     } else {
@@ -81,7 +76,7 @@ class TargetServer::Server {
       for (auto client = clients_.begin(); client != clients_.end();) {
         client = read(*client) ? std::next(client) : clients_.erase(client);
       }
-      if (!posted_) posted_ = inbox_.post(targets_);
+      inbox_.retry();
       tell_unfollowed();
     }
   }
@@ -135,8 +130,9 @@ class TargetServer::Server {
       return;
     }
     std::size_t surplus = 0;
-    targets_ = heed(message, targets_, surplus);
-    posted_ = inbox_.post(targets_);
+    TargetList now;
+    inbox_.change(
+        [&](TargetInbox::Orders& orders) { now = orders.targets = heed(message, orders.targets, surplus); });
     if (surplus > 0) {
       const std::string fault = std::to_string(surplus) +
                                 " targets too many: " + std::to_string(TargetList::kCapacity) +
@@ -144,7 +140,7 @@ class TargetServer::Server {
       say_(fault);
       answer(client, error_text(fault));
     } else {
-      answer(client, to_json(targets_));
+      answer(client, to_json(now));
     }
   }
 
@@ -166,9 +162,7 @@ class TargetServer::Server {
   }
 
   std::string token_;
-  TargetList targets_;
   TargetInbox& inbox_;
-  bool posted_ = true;
   std::function<void(const std::string&)> say_;
   std::optional<TcpListener> listener_;
   std::optional<TcpDialer> dialer_;
@@ -179,9 +173,9 @@ class TargetServer::Server {
   std::thread thread_;
 };
 
-TargetServer::TargetServer(const InterfaceConfig& at, const TargetList& begin, TargetInbox& inbox,
+TargetServer::TargetServer(const InterfaceConfig& at, TargetInbox& inbox,
                            std::function<void(const std::string&)> say)
-    : server_(std::make_unique<Server>(at, begin, inbox, std::move(say))) {}
+    : server_(std::make_unique<Server>(at, inbox, std::move(say))) {}
 TargetServer::~TargetServer() = default;
 std::string TargetServer::where() const { return server_->where(); }
 int TargetServer::port() const { return server_->port(); }

@@ -18,10 +18,9 @@ namespace odas {
 /// last message wins, whoever sent it; targets stay when their sender goes.
 class TargetServer {
  public:
-  /// `begin`: the targets of the configuration. `say` is called in the server's thread: who spoke nonsense,
+  /// `say` is called in the server's thread: who spoke nonsense,
   /// targets that find no slot. Throws IoError where it cannot listen.
-  TargetServer(const InterfaceConfig& at, const TargetList& begin, TargetInbox& inbox,
-               std::function<void(const std::string&)> say);
+  TargetServer(const InterfaceConfig& at, TargetInbox& inbox, std::function<void(const std::string&)> say);
   ~TargetServer();
   TargetServer(const TargetServer&) = delete;
   TargetServer& operator=(const TargetServer&) = delete;

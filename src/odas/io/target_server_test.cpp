@@ -46,17 +46,18 @@ constexpr const char* kDoor = R"({"targets":[{"tag":"door","x":1,"y":0,"z":0}]})
 
 class TargetServerTest : public testing::Test {
  protected:
-  TargetServer serve(const InterfaceConfig& at, const TargetList& begin = {}) {
-    return {at, begin, inbox, [this](const std::string& what) { said(what); }};
+  TargetServer serve(const InterfaceConfig& at) {
+    return {at, inbox, [this](const std::string& what) { said(what); }};
   }
   TargetInbox inbox;
   Said said;
 };
 
 TEST_F(TargetServerTest, answers_each_message_with_what_holds_now) {
-  TargetList begin;
-  begin.assign(std::vector<Target>{{"lamp", {0, 0, 1}}});
-  const TargetServer server = serve(listening(), begin);
+  inbox.change([](TargetInbox::Orders& orders) {
+    orders.targets.assign(std::vector<Target>{{"lamp", {0, 0, 1}}});
+  });
+  const TargetServer server = serve(listening());
   const NetPeer client = NetPeer::dial(server.port());
   EXPECT_TRUE(client.send(R"({"add":[]})"));
   EXPECT_EQ(line_from(client), R"({"targets":[{"tag":"lamp","x":0.0,"y":0.0,"z":1.0}]})");

@@ -22,6 +22,8 @@ struct Wanted {
   // Asked for expressly, too:
   bool mics = false;       // the microphones themselves, as the pipeline heard them
   bool power_map = false;  // the energy of every direction of the coarsest grid
+
+  friend bool operator==(const Wanted&, const Wanted&) = default;
 };
 
 /// All that the pipeline needs to know: the sections general, sne, ssl, sst, sss of the configuration.

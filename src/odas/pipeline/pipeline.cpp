@@ -11,6 +11,7 @@
 #include "odas/localization/registry.hpp"
 #include "odas/pipeline/input_guard.hpp"
 #include "odas/pipeline/lookback.hpp"
+#include "odas/pipeline/muting.hpp"
 #include "odas/separation/registry.hpp"
 #include "odas/tracking/tracker.hpp"
 
@@ -40,6 +41,7 @@ struct Pipeline::Parts {
 
   // What the configuration says
   Wanted wanted;
+  McraConfig sne;
   std::size_t mics, hop_size, frame_size;
   int sample_rate;
 
@@ -50,6 +52,7 @@ struct Pipeline::Parts {
   std::optional<Mcra> noise;
   std::unique_ptr<Localizer> localizer;
   std::unique_ptr<Tracker> tracker;
+  Muting muting;
   std::unique_ptr<Beamformer> beamformer;
   std::unique_ptr<PostFilter> post_filter;
   std::optional<Istft> separated_istft, postfiltered_istft;
@@ -65,6 +68,7 @@ struct Pipeline::Parts {
 
 Pipeline::Parts::Parts(const PipelineConfig& config)
     : wanted(config.wanted),
+      sne(config.sne),
       mics(config.general.mics.size()),
       hop_size(size(config.general.size.hop_size)),
       frame_size(size(config.general.size.frame_size) / 2 * 2),
@@ -119,7 +123,9 @@ HopResult Pipeline::process_hop(GridView<const float> mics) noexcept {
   if (p.noise) p.noise->update(spectra);
   const GridView<const float> noise_psd = p.noise ? p.noise->psd() : GridView<const float>();
   if (p.localizer) p.localizer->locate(spectra, noise_psd, p.potentials);
+  p.muting.hush(p.potentials);
   if (p.tracker) p.tracker->update(p.potentials, p.tracks);
+  p.muting.hush(p.tracks);
 
   // Voices are heard as they were some hops ago, by what is known now.
   const GridView<const cfloat> then = p.lookback.spectra();
@@ -142,13 +148,39 @@ void Pipeline::skip_hops(HopIndex hops) noexcept { parts_->time += hops; }
 void Pipeline::set_targets(std::span<const Target> targets) noexcept {
   if (parts_->tracker) parts_->tracker->set_targets(targets);
 }
+void Pipeline::set_muted(std::span<const Target> directions) noexcept { parts_->muting.set(directions); }
 std::size_t Pipeline::unfollowed_targets() const noexcept {
   return parts_->tracker ? parts_->tracker->unfollowed_targets() : 0;
+}
+
+bool Pipeline::can_continue(const Pipeline& before) const noexcept {
+  const Parts& p = *parts_;
+  const Parts& b = *before.parts_;
+  return p.mics == b.mics && p.hop_size == b.hop_size && p.frame_size == b.frame_size &&
+         p.sample_rate == b.sample_rate && p.slots() == b.slots() &&
+         p.potentials.size() == b.potentials.size() && p.lookback.hops() == b.lookback.hops() &&
+         p.wanted == b.wanted && power_grid().size() == before.power_grid().size();
+}
+
+void Pipeline::continue_from(Pipeline& before) noexcept {
+  ODAS_EXPECT(can_continue(before));
+  Parts& p = *parts_;
+  Parts& b = *before.parts_;
+  p.time = b.time;
+  std::swap(p.guard, b.guard);
+  std::swap(p.stft, b.stft);
+  std::swap(p.lookback, b.lookback);
+  std::swap(p.separated_istft, b.separated_istft);
+  std::swap(p.postfiltered_istft, b.postfiltered_istft);
+  if (p.noise && b.noise && p.sne == b.sne) std::swap(p.noise, b.noise);
+  p.muting = b.muting;
+  if (p.tracker) p.tracker->continue_from(*b.tracker);
 }
 
 void Pipeline::reset() noexcept {
   Parts& p = *parts_;
   p.time = 0;
+  p.muting.set({});
   p.guard.reset();
   p.stft.reset();
   p.lookback.reset();

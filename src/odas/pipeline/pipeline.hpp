@@ -45,8 +45,17 @@ class Pipeline {
   /// From the next hop on, the fixed directions are these, in place of those of `sst.target` or of an earlier
   /// call (`Tracker::set_targets`). Between hops only, on the thread that calls `process_hop`.
   void set_targets(std::span<const Target> targets) noexcept;
+  /// From the next hop on nobody but targets is heard in these directions (Muting). On the same thread.
+  void set_muted(std::span<const Target> directions) noexcept;
   /// Targets that are not followed as of the last hop, for want of a slot or for a fault of theirs.
   [[nodiscard]] std::size_t unfollowed_targets() const noexcept;
+
+  /// Whether it can take the place of `before` between two hops: all that goes in and out has the same shape
+  /// and the same delay.
+  [[nodiscard]] bool can_continue(const Pipeline& before) const noexcept;
+  /// Takes the place of `before`, which must not be used again: time, sound on its way, tracks, targets and
+  /// muted directions go on; only what the configurations say otherwise is otherwise. Allocates nothing.
+  void continue_from(Pipeline& before) noexcept;
 
   /// The state after construction, exactly.
   void reset() noexcept;

@@ -342,6 +342,56 @@ TEST(Pipeline, Follows_the_targets_that_it_is_given_between_hops) {
   EXPECT_EQ(pipeline.unfollowed_targets(), 0U);
 }
 
+TEST(Pipeline, Hears_nobody_where_it_is_muted) {
+  Pipeline pipeline(tetrahedron_config());
+  FarSource source(tetrahedron_config().general, direction_of(30, 40), 80);
+  for (std::size_t h = 0; h < 40; ++h) pipeline.process_hop(source.hop(h));
+  ASSERT_NE(pipeline.process_hop(source.hop(40)).tracks[0].id, 0U);
+  pipeline.set_muted(std::vector<Target>{{"fan", direction_of(35, 38)}});
+  for (std::size_t h = 41; h < source.hops(); ++h) {
+    const HopResult result = pipeline.process_hop(source.hop(h));
+    EXPECT_EQ(result.potentials[0].energy, 0);
+    for (const Track& track : result.tracks) EXPECT_EQ(track.id, 0U);
+  }
+}
+
+TEST(Pipeline, Takes_the_place_of_another_without_a_break_in_time_sound_or_tracks) {
+  PipelineConfig config = tetrahedron_config();
+  FarSource source(config.general, direction_of(30, 40), 80);
+  Pipeline undisturbed(config), running(config);
+  for (std::size_t h = 0; h < 80; ++h) {
+    if (h == 50) {
+      Pipeline next(config);
+      ASSERT_TRUE(next.can_continue(running));
+      next.continue_from(running);
+      running = std::move(next);
+    }
+    const HopResult expected = undisturbed.process_hop(source.hop(h));
+    const HopResult result = running.process_hop(source.hop(h));
+    EXPECT_EQ(result.time, expected.time);
+    ASSERT_EQ(result.tracks[0].id, expected.tracks[0].id);
+    if (expected.tracks[0].id == 0) continue;
+    EXPECT_LT(angle_deg(result.tracks[0].direction, expected.tracks[0].direction), 3);
+    for (std::size_t n = 0; n < result.separated.cols(); ++n) {
+      EXPECT_NEAR(result.separated[0][n], expected.separated[0][n], 0.02F);
+    }
+  }
+}
+
+TEST(Pipeline, Cannot_take_the_place_of_one_of_another_shape) {
+  const PipelineConfig config = tetrahedron_config();
+  const Pipeline running(config);
+  PipelineConfig other = config;
+  other.sst.n_tracks = 7;
+  EXPECT_FALSE(Pipeline(other).can_continue(running));
+  other = config;
+  other.ssl.n_pots = 2;
+  EXPECT_FALSE(Pipeline(other).can_continue(running));
+  other = config;
+  other.sst.theta_new = 0.5F;
+  EXPECT_TRUE(Pipeline(other).can_continue(running));
+}
+
 TEST(Pipeline, Says_its_plan) {
   PipelineConfig config;
   config.general = test::ring(8, 0.1F);

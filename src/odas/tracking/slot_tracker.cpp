@@ -39,6 +39,20 @@ void SlotTracker<Filter>::set_targets(std::span<const Target> targets) noexcept 
 }
 
 template <class Filter>
+void SlotTracker<Filter>::continue_from(const Tracker& before) noexcept {
+  last_id_ = before.last_id();
+  const auto* same = dynamic_cast<const SlotTracker*>(&before);
+  if (same == nullptr || same->slots_.size() != slots_.size()) return;
+  targets_ = same->targets_;
+  refused_ = same->refused_;
+  for (std::size_t t = 0; t < slots_.size(); ++t) {
+    const Slot& slot = same->slots_[t];
+    static_cast<Life&>(slots_[t]) = slot;
+    if (slot.stage != Stage::free) slots_[t].filter.start(slot.filter.direction());
+  }
+}
+
+template <class Filter>
 void SlotTracker<Filter>::reset() noexcept {
   for (Slot& slot : slots_) clear(slot);
   last_id_ = 0;

@@ -32,6 +32,8 @@ class SlotTracker final : public Tracker {
   void update(std::span<const Potential> potentials, std::span<Track> tracks) noexcept override;
   void set_targets(std::span<const Target> targets) noexcept override;
   [[nodiscard]] std::size_t unfollowed_targets() const noexcept override { return refused_ + waiting_; }
+  void continue_from(const Tracker& before) noexcept override;
+  [[nodiscard]] std::uint64_t last_id() const noexcept override { return last_id_; }
   void reset() noexcept override;
 
  private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -28,6 +29,11 @@ class Tracker {
   /// Targets that are not followed as of the last hop: no slot was free, or they were at fault
   /// (`TargetList::assign`).
   [[nodiscard]] virtual std::size_t unfollowed_targets() const noexcept = 0;
+  /// Goes on where `before` stands, which has as many slots: with its targets, and later ids than its own.
+  /// If it is a tracker of the same kind, its tracks go on, too; others are found anew. Allocates nothing.
+  virtual void continue_from(const Tracker& before) noexcept = 0;
+  /// The latest that was given; 0: none yet.
+  [[nodiscard]] virtual std::uint64_t last_id() const noexcept = 0;
   /// The state after construction, exactly: the targets of the configuration too.
   virtual void reset() noexcept = 0;
 };
