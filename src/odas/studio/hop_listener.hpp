@@ -27,6 +27,8 @@ struct StreamInfo {
   std::size_t potentials = 0;
   double lookback_s = 0;
   double voice_delay_s = 0;                     // voices come so much later than the microphones
+  float separated_gain = 1;                     // sss.gain_sep: of all that plays or keeps these voices
+  float postfiltered_gain = 1;                  // sss.gain_pf
   std::vector<MicConfig> mics;                  // none: unknown
   std::vector<int> channels;                    // [mic], from 1
   std::vector<Vec3> power_grid;                 // directions of HopResult::power
