@@ -17,5 +17,6 @@ tests=()
 if [[ $1 == core ]]; then tests=(! -name '*_test.cpp'); fi
 # What g++ alone knows means nothing to clang.
 find "${folders[@]}" -name '*.cpp' ! -name '*_bench.cpp' "${tests[@]}" -print0 |
-  xargs -0 -n 1 -P "$(nproc)" clang-tidy-19 -p "$build" --quiet --extra-arg=-Wno-unknown-warning-option 2> \
+  xargs -0 -n 1 -P "$(nproc)" clang-tidy-19 -p "$build" --quiet --extra-arg=-Wno-unknown-warning-option \
+    --extra-arg=-Wno-ignored-gch 2> \
     >(grep -vE '^[0-9]+ warnings? (generated|treated)' >&2)
