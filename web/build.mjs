@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Builds web/dist: the page, its style, and chunks that are loaded when they are needed. The same input gives the same bytes.
+import { build } from "esbuild";
+import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { gzipSync } from "node:zlib";
+
+const root = dirname(fileURLToPath(import.meta.url));
+
+/** What a first visit and all later chunks may weigh together, gzipped. */
+export const kBudget = 250 * 1024;
+
+/** Bytes of each file below `folder`, as they travel (gzipped). */
+export function weigh(folder) {
+  return readdirSync(folder, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => {
+      const path = join(entry.parentPath ?? entry.path, entry.name);
+      return { name: path.slice(folder.length + 1), bytes: gzipSync(readFileSync(path), { level: 9 }).length };
+    })
+    .sort((a, b) => a.name.localeCompare(b.name));
+}
+
+export async function buildPage(folder) {
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  await build({
+    absWorkingDir: root,
+    entryPoints: { app: "src/main.tsx", "listen-worklet": "src/audio/worklet.ts" },
+    outdir: folder,
+    bundle: true,
+    splitting: true,
+    format: "esm",
+    target: ["es2022"],
+    minify: true,
+    legalComments: "linked",
+    charset: "utf8",
+    jsx: "automatic",
+    jsxImportSource: "preact",
+    chunkNames: "chunk-[name]-[hash]",
+    logLevel: "warning",
+  });
+  cpSync(join(root, "src/static"), folder, { recursive: true });
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) {
+  const folder = join(root, "dist");
+  await buildPage(folder);
+  const files = weigh(folder);
+  const total = files.reduce((sum, file) => sum + file.bytes, 0);
+  for (const { name, bytes } of files) console.log(`${(bytes / 1024).toFixed(1).padStart(8)} kB  ${name}`);
+  console.log(`${(total / 1024).toFixed(1).padStart(8)} kB  gzipped, of ${kBudget / 1024} kB`);
+  if (total > kBudget) {
+    console.error("The page is heavier than its budget: load less, or later.");
+    process.exit(1);
+  }
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// All tests of the page: types, units, then the browser. `node test/run.mjs [WORD...]` runs only files whose name has one of the words.
+import { spawn } from "node:child_process";
+import { readdirSync, rmSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { build } from "esbuild";
+import { chromium } from "playwright-core";
+
+import { buildPage } from "../build.mjs";
+
+const root = join(dirname(fileURLToPath(import.meta.url)), "..");
+const out = join(root, ".test");
+const words = process.argv.slice(2);
+const wanted = (name) => words.length === 0 || words.some((word) => name.includes(word));
+
+function run(command, args, env = {}) {
+  return new Promise((resolve) => {
+    spawn(command, args, { cwd: root, stdio: "inherit", env: { ...process.env, ...env } }).on("close", (code) => resolve(code ?? 1));
+  });
+}
+
+rmSync(out, { recursive: true, force: true });
+await buildPage(join(out, "dist"));
+const units = readdirSync(join(root, "test/unit")).filter((name) => name.endsWith(".test.ts") && wanted(name));
+await build({
+  absWorkingDir: root,
+  entryPoints: units.map((name) => `test/unit/${name}`),
+  outdir: join(out, "unit"),
+  bundle: true,
+  platform: "node",
+  format: "esm",
+  jsx: "automatic",
+  jsxImportSource: "preact",
+  outExtension: { ".js": ".mjs" },
+  loader: { ".css": "empty" },
+  logLevel: "warning",
+});
+
+const types = words.length === 0 ? await run(join(root, "node_modules/.bin/tsc"), ["--noEmit"]) : 0;
+const browser = readdirSync(join(root, "test/browser")).filter((name) => name.endsWith(".test.mjs") && wanted(name));
+const files = [
+  ...units.map((name) => join(out, "unit", name.replace(/\.ts$/, ".mjs"))),
+  ...browser.map((name) => join(root, "test/browser", name)),
+];
+
+const server = await chromium.launchServer({
+  executablePath: process.env.ODAS_CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--autoplay-policy=no-user-gesture-required"],
+});
+const tests = await run(process.execPath, ["--test", "--test-concurrency=2", ...files], {
+  ODAS_BROWSER: server.wsEndpoint(),
+  ODAS_DIST: join(out, "dist"),
+});
+await server.close();
+process.exit(types || tests);

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// One browser for all tests of a file; every fault of a page (exception, console error, refused policy, foreign request) fails its test.
+import assert from "node:assert/strict";
+import { after, before } from "node:test";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+
+import { FakeDaemon } from "./daemon.mjs";
+import { serve } from "./server.mjs";
+
+const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
+
+export const kDist = process.env.ODAS_DIST ?? join(root, "dist");
+
+const kArguments = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--autoplay-policy=no-user-gesture-required"];
+
+/** Starts a browser with `flags` in place of software rendering, for what a shared one cannot show. */
+export function launch(flags = kArguments) {
+  return chromium.launch({ executablePath: process.env.ODAS_CHROMIUM ?? "/usr/bin/chromium", args: flags });
+}
+
+/** `--disable-gpu` and no software: WebGL is missing. */
+export const kNoWebGL = ["--no-sandbox", "--disable-gpu", "--disable-software-rasterizer"];
+
+/**
+ * For a test file: `const studio = useStudio();`, then in each test `const { page, daemon, done } = await studio.open()`, at its end
+ * `await done()`. `open` takes `route`, `query` (before the hash), `daemon`, `host` and the options of a browser context.
+ */
+export function useStudio({ flags } = {}) {
+  let browser;
+  const servers = new Map();
+  before(async () => {
+    const shared = process.env.ODAS_BROWSER;
+    browser = shared && !flags ? await chromium.connect(shared) : await launch(flags);
+  });
+  after(async () => {
+    await browser?.close();
+    for (const server of servers.values()) server.close();
+  });
+
+  async function origin(host) {
+    if (!servers.has(host)) servers.set(host, await serve(kDist, host));
+    return `http://${host}:${servers.get(host).address().port}`;
+  }
+
+  async function open({ route = "live", query = "", daemon = new FakeDaemon(), host = "127.0.0.1", url, prepare, ...options } = {}) {
+    const base = url ?? (await origin(host));
+    const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", ...options });
+    const page = await context.newPage();
+    page.setDefaultTimeout(15000);
+    const faults = watch(page, new URL(base).origin);
+    if (!url) await daemon.attach(page);
+    await prepare?.(page);
+    await page.goto(`${base}/${query}#/${route}`);
+    await page.waitForSelector("main");
+    return {
+      page,
+      daemon,
+      faults,
+      origin: base,
+      /** Ends the test's page; `expected` are words of faults that the test provoked. */
+      async done(expected = []) {
+        const rest = faults.filter((fault) => !expected.some((words) => fault.includes(words)));
+        await context.close();
+        assert.deepEqual(rest, []);
+      },
+    };
+  }
+
+  return { open };
+}
+
+function watch(page, origin) {
+  const faults = [];
+  page.on("pageerror", (error) => faults.push(`exception: ${error.stack ?? error}`));
+  page.on("console", (message) => {
+    if (message.type() === "error") faults.push(`console: ${message.text()}`);
+  });
+  page.on("request", (request) => {
+    const url = new URL(request.url());
+    if (/^https?:$/.test(url.protocol) && url.origin !== origin) faults.push(`foreign request: ${url}`);
+  });
+  return faults;
+}
