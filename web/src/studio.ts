@@ -3,7 +3,7 @@
 import { createContext } from "preact";
 import { useContext } from "preact/hooks";
 
-import type { AudioBlock } from "./socket/binary";
+import type { Listener } from "./audio/listener";
 import type { AudioWish } from "./socket/messages";
 import type { Store } from "./store/store";
 
@@ -13,8 +13,8 @@ export interface Studio {
   call<Result = unknown>(method: string, params?: object): Promise<Result>;
   setAudio(wishes: AudioWish[]): void;
   setPower(rate: number): void;
-  /** Who gets the sound that arrives. */
-  listenTo(take: (block: AudioBlock) => void): void;
+  /** Hears what `setAudio` asked for; without one, nothing can be heard. */
+  listener?: Listener;
 }
 
 export const StudioContext = createContext<Studio | null>(null);

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
-import { t } from "../shell/texts";
+import { useViewLink } from "./link";
+import { LiveView } from "./liveview";
+import { t } from "./texts";
 
 export function LivePage() {
-  return <h1 class="page-title">{t("live")}</h1>;
+  return (
+    <>
+      <h1 class="visually-hidden">{t("title")}</h1>
+      <LiveView use={useViewLink} />
+    </>
+  );
 }

@@ -2,7 +2,7 @@
 // What the page knows. One store for the daemon, another one for a replay: both are fed with the same messages.
 import { batch, computed, signal } from "@preact/signals";
 
-import type { AudioBlock, PowerMap } from "../socket/binary";
+import type { PowerMap } from "../socket/binary";
 import type {
   ActiveRecording,
   Engine,
@@ -55,7 +55,7 @@ export class Store {
   readonly pace = signal(0);
   /** Raised by every batch of hops: what draws looks at `ring` and `tracks` then. */
   readonly beat = signal(0);
-  /** Raised when hops begin anew. */
+  /** Raised when hops begin anew after others. */
   readonly epoch = signal(0);
 
   /** Not signals: they change 125 times a second. */
@@ -186,6 +186,7 @@ export class Store {
   private begin(run: Run | null): void {
     const rate = run?.rate && run.rate > 0 ? run.rate : 16000;
     const hop = run?.hop && run.hop > 0 ? run.hop : 128;
+    const anew = this.ring.end > 0;
     this.ring = new HopRing(run?.slots ?? kSlots, run?.potentials ?? kPotentials, rate, hop);
     this.tracks.clear();
     this.meters.value = null;
@@ -193,7 +194,7 @@ export class Store {
     this.health.value = null;
     this.transcripts.value = new Map();
     this.missed.value = 0;
-    this.epoch.value++;
+    if (anew) this.epoch.value++;
     this.beat.value++;
   }
 
@@ -208,7 +209,8 @@ export class Store {
     }
     this.lastHopAt = at;
     this.stale.value = false;
-    this.paceHops += message.hops?.length ?? 0;
+    if (this.paceFrom === 0) this.paceFrom = at;
+    else this.paceHops += message.hops?.length ?? 0;
     if (at - this.paceFrom >= 1000) {
       this.pace.value = Math.round((this.paceHops * 1000) / (at - this.paceFrom));
       this.paceFrom = at;
@@ -230,5 +232,3 @@ function withTranscript(all: ReadonlyMap<number, Transcript[]>, next: Transcript
   result.set(next.track, [...mine, next].slice(-8));
   return result;
 }
-
-export type AudioListener = (block: AudioBlock) => void;

@@ -30,8 +30,8 @@ const kAway = 0.5;
 
 export class TrackTable {
   readonly live = new Map<number, Track>();
-  /** Looks of everyone who can still be seen in the charts, by id. */
-  readonly looks = new Map<number, Look>();
+  /** Everyone who can still be seen in the charts, as he was last, by id. */
+  readonly known = new Map<number, Track>();
   private readonly allocator = new LookAllocator();
 
   push(hop: WireHop, now: number): void {
@@ -42,7 +42,7 @@ export class TrackTable {
         const look = lookOf(this.allocator.of(id, now));
         track = { id, slot, tag: tag ?? "dynamic", look, born: now, seen: now, x, y, z, az: 0, el: 0, activity, level: null, category: 0 };
         this.live.set(id, track);
-        this.looks.set(id, look);
+        this.known.set(id, track);
       }
       Object.assign(track, { slot, x, y, z, activity, level: level ?? null, category: category ?? 0, seen: now });
       track.az = azimuth(x, y);
@@ -53,7 +53,7 @@ export class TrackTable {
 
   /** The look of a track of the past ten minutes. */
   lookOf(id: number): Look {
-    return this.looks.get(id) ?? lookOf(id);
+    return this.known.get(id)?.look ?? lookOf(id);
   }
 
   /** Nobody is known to be there any more; looks stay for what the charts still show. */
@@ -63,20 +63,20 @@ export class TrackTable {
 
   clear(): void {
     this.live.clear();
-    this.looks.clear();
+    this.known.clear();
     this.allocator.clear();
   }
 
   private end(id: number, now: number): void {
     this.live.delete(id);
     this.allocator.release(id, now);
-    if (this.looks.size > 4096) this.forget();
+    if (this.known.size > 4096) this.forget();
   }
 
   private forget(): void {
-    for (const id of this.looks.keys()) {
-      if (this.looks.size <= 2048) return;
-      if (!this.live.has(id)) this.looks.delete(id);
+    for (const id of this.known.keys()) {
+      if (this.known.size <= 2048) return;
+      if (!this.live.has(id)) this.known.delete(id);
     }
   }
 }

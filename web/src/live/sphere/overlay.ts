@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Words and marks over the sphere: degrees, numbers of voices and microphones, pinned and muted directions.
+import type { Target, Vec3 } from "../../socket/messages";
+import { direction } from "../../store/angles";
+import { colorOf, inks, markerPath } from "../palette";
+import type { Frame } from "./frame";
+import type { Stage } from "./stage";
+
+export interface Marks {
+  flat: boolean;
+  mics: Vec3[];
+  mic: number | null;
+  pointed: number | null;
+  targets: Target[];
+}
+
+export function drawOverlay(draw: CanvasRenderingContext2D, width: number, height: number, stage: Stage, frame: Frame, marks: Marks): void {
+  const ink = inks();
+  draw.clearRect(0, 0, width, height);
+  draw.textAlign = "center";
+  draw.textBaseline = "middle";
+  draw.font = "11px system-ui, sans-serif";
+  draw.fillStyle = ink.text;
+  const label = (text: string, at: Vec3) => {
+    const { x, y, front } = stage.project(at);
+    draw.globalAlpha = front ? 1 : 0.4;
+    draw.fillText(text, x, y);
+  };
+  const out = marks.flat ? 1 : 1.1;
+  for (let az = -150; az <= 180; az += 30) label(`${az < 0 ? "\u2212" : ""}${Math.abs(az)}°`, scaled(direction(az, marks.flat ? -83 : 0), out));
+  for (const el of [-60, -30, 30, 60]) label(`${el < 0 ? "\u2212" : "+"}${Math.abs(el)}°`, scaled(direction(marks.flat ? 172 : 0, el), out));
+  draw.globalAlpha = 1;
+
+  draw.font = "10px system-ui, sans-serif";
+  if (!marks.flat && width > 260) {
+    marks.mics.forEach((mic, k) => {
+      const { x, y } = stage.project(mic);
+      draw.fillStyle = marks.mic === k ? ink.accent : ink.text;
+      if (marks.mics.length <= 16 || marks.mic === k) draw.fillText(String(k + 1), x, y - 11);
+    });
+  }
+  for (const target of marks.targets) drawTarget(draw, stage, target, ink.strong, ink.bad);
+
+  for (const { id, look, az, el } of frame.balls) {
+    const { x, y, front } = stage.project(direction(az, el));
+    const r = marks.pointed === id ? 11 : 8.5;
+    draw.globalAlpha = front ? 1 : 0.55;
+    markerPath(draw, look.marker, x, y, r + 3);
+    draw.strokeStyle = colorOf(look);
+    draw.lineWidth = 1.5;
+    draw.stroke();
+    draw.font = "600 12px system-ui, sans-serif";
+    const text = `#${id}`;
+    const wide = draw.measureText(text).width + 8;
+    draw.fillStyle = ink.ground;
+    draw.globalAlpha = front ? 0.85 : 0.5;
+    draw.beginPath();
+    draw.roundRect(x + r + 5, y - 9, wide, 18, 5);
+    draw.fill();
+    draw.globalAlpha = front ? 1 : 0.7;
+    draw.fillStyle = ink.strong;
+    draw.fillText(text, x + r + 5 + wide / 2, y + 0.5);
+  }
+  draw.globalAlpha = 1;
+}
+
+function drawTarget(draw: CanvasRenderingContext2D, stage: Stage, target: Target, ink: string, bad: string): void {
+  const { x, y, front } = stage.project(target.direction);
+  draw.globalAlpha = front ? 1 : 0.4;
+  draw.strokeStyle = draw.fillStyle = target.mute ? bad : ink;
+  draw.lineWidth = 1.75;
+  draw.beginPath();
+  draw.arc(x, y, 7, 0, 2 * Math.PI);
+  if (target.mute) {
+    draw.moveTo(x - 5, y + 5);
+    draw.lineTo(x + 5, y - 5);
+  } else {
+    draw.moveTo(x, y - 11);
+    draw.lineTo(x, y + 11);
+    draw.moveTo(x - 11, y);
+    draw.lineTo(x + 11, y);
+  }
+  draw.stroke();
+  draw.font = "11px system-ui, sans-serif";
+  draw.fillText(target.tag, x, y + 19);
+}
+
+function scaled([x, y, z]: Vec3, by: number): Vec3 {
+  return [x * by, y * by, z * by];
+}
