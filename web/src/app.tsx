@@ -4,6 +4,7 @@ import type { ComponentType } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 
 import { LivePage } from "./live/page";
+import { followOpenSession } from "./pages/replay/open_session";
 import { Banners } from "./shell/banners";
 import { Help, toggleHelp } from "./shell/help";
 import { followKeys, useKeys } from "./shell/keys";
@@ -29,6 +30,7 @@ export function App({ studio, retry }: { studio: Studio; retry: () => void }) {
   const shown = useRef(route);
 
   useEffect(followKeys, []);
+  useEffect(() => followOpenSession(studio.store), []);
   useEffect(() => {
     document.title = `${t(route)} – ODAS Studio`;
     if (shown.current !== route) main.current?.focus();

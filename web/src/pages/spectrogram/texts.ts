@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+import { texts } from "../../i18n/i18n";
+
+export const t = texts({
+  en: {
+    title: "Spectrogram",
+    separated: "Separated",
+    postfiltered: "Post-filtered",
+    raw: "Microphone {n}",
+    sides: "Compare",
+    left: "Above",
+    right: "Below",
+    none: "Nothing",
+    floor: "Floor",
+    dB: "{n} dB",
+    choose: "Choose a voice to see it",
+    chooseNext: "Select a card or a ball; its sound is shown here as it comes.",
+    label: "Spectrogram of {what}: frequency up to {hz} Hz over the last {s} seconds",
+    kHz: "{n} kHz",
+    loudest: "loudest at {hz} Hz, {db} dB",
+    silent: "silence",
+  },
+  fr: {
+    title: "Spectrogramme",
+    separated: "Séparé",
+    postfiltered: "Post-filtré",
+    raw: "Microphone {n}",
+    sides: "Comparer",
+    left: "En haut",
+    right: "En bas",
+    none: "Rien",
+    floor: "Plancher",
+    dB: "{n} dB",
+    choose: "Choisissez une voix pour la voir",
+    chooseNext: "Sélectionnez une carte ou une boule ; son spectre apparaît ici à mesure.",
+    label: "Spectrogramme de {what} : fréquences jusqu’à {hz} Hz sur les {s} dernières secondes",
+    kHz: "{n} kHz",
+    loudest: "le plus fort à {hz} Hz, {db} dB",
+    silent: "silence",
+  },
+});
