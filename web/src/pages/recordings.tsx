@@ -13,14 +13,14 @@ import { Now } from "./recordings/now";
 import { Player } from "./recordings/player";
 import { Row } from "./recordings/row";
 import { t } from "./recordings/texts";
-import { useAsked } from "./shared/asked";
+import { useAskedList } from "./shared/asked";
 import { Confirm } from "./shared/confirm";
 import { useMayChange, ViewerNote } from "./shared/notes";
 import { t as shared } from "./shared/texts";
 
 export function RecordingsPage() {
   const { store, call } = useStudio();
-  const list = useAsked<Recording[]>("recordings.list", {}, [store.recordingsChanged.value]);
+  const list = useAskedList<Recording>("recordings.list", {}, [store.recordingsChanged.value]);
   const player = useMemo(() => new Player((name) => say(t("playFailed", { name }), "error")), []);
   const deletion = useMemo(() => new Deletion((names) => {
     call("recordings.delete", { names }).catch(sayError).finally(() => {

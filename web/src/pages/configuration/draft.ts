@@ -124,11 +124,11 @@ export class Draft {
     if (mine !== this.turn) return;
     this.checking.value = false;
     this.formOld.value = form.status === "rejected";
-    if (form.status === "fulfilled") this.form.value = form.value;
+    if (form.status === "fulfilled") this.form.value = { sections: form.value?.sections ?? [] };
     if (check.status === "fulfilled") {
-      this.faults.value = check.value.faults ?? [];
-      this.plan.value = check.value.plan ?? "";
-      this.effect.value = check.value.effect ?? null;
+      this.faults.value = check.value?.faults ?? [];
+      this.plan.value = check.value?.plan ?? "";
+      this.effect.value = check.value?.effect ?? null;
     } else {
       this.faults.value = faultsOf(check.reason);
       this.plan.value = "";

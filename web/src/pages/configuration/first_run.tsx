@@ -5,7 +5,7 @@ import { useRef, useState } from "preact/hooks";
 import { number } from "../../i18n/i18n";
 import { linkTo } from "../../shell/router";
 import { useStudio } from "../../studio";
-import { useAsked } from "../shared/asked";
+import { useAsked, useAskedList } from "../shared/asked";
 import { useMayChange } from "../shared/notes";
 import { t } from "./texts";
 
@@ -21,7 +21,7 @@ interface Device {
 /** `onOpened`: the engine has taken it. */
 export function FirstRun({ onOpened = () => { location.hash = linkTo("live"); } }: { onOpened?: () => void }) {
   const { store, call } = useStudio();
-  const devices = useAsked<Device[]>("devices.list", {});
+  const devices = useAskedList<Device>("devices.list", {});
   const arrays = useAsked<{ name: string; title?: string }[]>("arrays.list", {});
   const [device, setDevice] = useState(0);
   const [source, setSource] = useState<"device" | "file">("device");

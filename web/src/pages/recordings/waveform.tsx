@@ -29,6 +29,7 @@ function usePeaks(name: string) {
       if (!entries.some((entry) => entry.isIntersecting)) return;
       observer.disconnect();
       call<Peaks>("recordings.peaks", { name, columns: kColumns }).then((found) => {
+        if (!Array.isArray(found?.max) || !Array.isArray(found?.min)) return;
         known.set(name, found);
         setPeaks(found);
       }, () => {});

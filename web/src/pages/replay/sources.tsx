@@ -9,7 +9,7 @@ import { kFormats } from "../../lib/session_export";
 import { Icon } from "../../shell/icons";
 import { sayError } from "../../shell/toast";
 import { useStudio } from "../../studio";
-import { useAsked } from "../shared/asked";
+import { useAskedList } from "../shared/asked";
 import { Confirm } from "../shared/confirm";
 import { useMayChange } from "../shared/notes";
 import { t as shared } from "../shared/texts";
@@ -52,7 +52,7 @@ export function FileDrop({ onFile }: { onFile: (file: File) => void }) {
 
 export function SessionList({ onOpen }: { onOpen: (name: string) => void }) {
   const { store, call } = useStudio();
-  const list = useAsked<SessionEntry[]>("sessions.list", {}, [store.recordingsChanged.value]);
+  const list = useAskedList<SessionEntry>("sessions.list", {}, [store.recordingsChanged.value]);
   const may = useMayChange();
   const [deleting, setDeleting] = useState<string | null>(null);
   const sessions = [...(list.value ?? [])].sort((a, b) => (b.start ?? b.name).localeCompare(a.start ?? a.name));

@@ -11,6 +11,12 @@ export interface Asked<T> {
   again: () => void;
 }
 
+/** The same for a list; a daemon that answers something else has none to show. */
+export function useAskedList<T>(method: string, params: object, when: readonly unknown[] = []): Asked<T[]> {
+  const asked = useAsked<T[]>(method, params, when);
+  return asked.value === null || Array.isArray(asked.value) ? asked : { ...asked, value: [] };
+}
+
 /** Asks when connected, whenever `when` changes, and on `again()`; an older answer never overtakes a newer one. */
 export function useAsked<T>(method: string, params: object, when: readonly unknown[] = []): Asked<T> {
   const { store, call } = useStudio();

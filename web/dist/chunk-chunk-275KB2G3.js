@@ -1,0 +1,1 @@
+var r=180/Math.PI;function o(n,e){return Math.atan2(e,n)*r}function a(n,e,t){return Math.atan2(t,Math.hypot(n,e))*r}function b(n,e){let t=n/r,u=e/r;return[Math.cos(u)*Math.cos(t),Math.cos(u)*Math.sin(t),Math.sin(u)]}function c(n){return n-360*Math.round(n/360)}function i(n,e,t){return e===t?!0:e<t?n>=e&&n<=t:n>=e||n<=t}export{o as a,a as b,b as c,c as d,i as e};
