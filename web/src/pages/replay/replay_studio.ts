@@ -30,7 +30,6 @@ export function replayStudio(onWish: (wishes: AudioWish[]) => void = () => {}): 
     call: (method) => Promise.reject(new CommandError({ code: "forbidden", message: `A replay knows no ${method}.` })),
     setAudio: onWish,
     setPower: () => {},
-    listenTo: () => {},
   };
   return { studio, feed };
 }

@@ -6,13 +6,13 @@ import { language } from "../../i18n/i18n";
 import { exportUrl } from "../../lib/recording_list";
 import { exportSession, kFormats } from "../../lib/session_export";
 import type { Session } from "../../lib/session";
+import { LiveView } from "../../live/liveview";
 import { StudioContext } from "../../studio";
 import { saveFile } from "../shared/save_file";
 import { Playback } from "./playback";
 import { replayStudio } from "./replay_studio";
 import { t } from "./texts";
 import { Transport } from "./transport";
-import { Views } from "./views";
 
 interface Props {
   session: Session;
@@ -52,7 +52,7 @@ export function Stage({ session, onDaemon, onClose }: Props) {
       {session.fault && <p class="note warn" role="status">{t(`fault_${session.fault}`, { name: session.name })}</p>}
       {session.unread > 0 && <p class="note warn" role="status">{t("unread", { n: session.unread })}</p>}
       <StudioContext.Provider value={studio}>
-        <Views store={studio.store} />
+        <LiveView replay />
       </StudioContext.Provider>
       <Transport playback={playback} session={session} />
     </>
