@@ -4,6 +4,7 @@ import "./styles/index.css";
 import { render } from "preact";
 
 import { App } from "./app";
+import { AudioDesk } from "./audio/desk";
 import { Listener } from "./audio/listener";
 import { followLanguage } from "./i18n/follow";
 import { followPlace } from "./shell/router";
@@ -14,8 +15,10 @@ import type { Studio } from "./studio";
 
 const store = new Store();
 const connection = new Connection(store, liveUrl(location));
-const listener = new Listener((wishes) => connection.setAudio(wishes));
-connection.onAudio = (block) => listener.push(block);
+const desk = new AudioDesk((wishes) => connection.setAudio(wishes));
+const listener = new Listener((wishes) => desk.want("listener", wishes));
+desk.listen((block) => listener.push(block));
+connection.onAudio = (block) => desk.take(block);
 store.epoch.subscribe(() => listener.restart());
 
 const studio: Studio = {
@@ -24,6 +27,7 @@ const studio: Studio = {
   setAudio: (wishes) => connection.setAudio(wishes),
   setPower: (rate) => connection.setPower(rate),
   listener,
+  desk,
 };
 
 followTheme();

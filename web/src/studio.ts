@@ -3,6 +3,7 @@
 import { createContext } from "preact";
 import { useContext } from "preact/hooks";
 
+import type { AudioDesk } from "./audio/desk";
 import type { Listener } from "./audio/listener";
 import type { AudioWish } from "./socket/messages";
 import type { Store } from "./store/store";
@@ -15,6 +16,8 @@ export interface Studio {
   setPower(rate: number): void;
   /** Hears what `setAudio` asked for; without one, nothing can be heard. */
   listener?: Listener;
+  /** Sound for more than the ear: pictures of it. */
+  desk?: AudioDesk;
 }
 
 export const StudioContext = createContext<Studio | null>(null);

@@ -2,6 +2,7 @@
 // Everything that is seen of a run. The page of the daemon shows it, and that of a replay with a store of its own.
 import { useEffect, useMemo } from "preact/hooks";
 
+import { Extras } from "../pages/extras";
 import { useStudio } from "../studio";
 import { Announcer } from "./announcer";
 import { FiltersPanel } from "./cards/filterspanel";
@@ -46,6 +47,7 @@ export function LiveView({ replay = false, use = () => {} }: { replay?: boolean;
         <div class="live-middle">
           <SpherePanel />
           <ChartsPanel />
+          {!replay && <Extras />}
         </div>
         {!replay && (
           <div class="live-right">
