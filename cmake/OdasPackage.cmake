@@ -35,5 +35,5 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "Headers and static libraries: odas_core, the algorithms alone, and odas, all of it.")
 # What the CMake and pkg-config files ask for.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "libfftw3-dev, libsamplerate0-dev, libhwy-dev, libconfig++-dev, libsndfile1-dev, libfmt-dev, libasound2-dev, libpulse-dev")
+  "libfftw3-dev, libsamplerate0-dev, libhwy-dev, libconfig++-dev, libsndfile1-dev, libfmt-dev, libasound2-dev, libpulse-dev, libssl-dev, libcurl4-openssl-dev")
 include(CPack)

@@ -8,7 +8,7 @@ set -euo pipefail
 
 build=(g++ cmake make pkg-config libfftw3-dev libsamplerate0-dev libhwy-dev libconfig++-dev
        libsndfile1-dev libasound2-dev libpulse-dev libfmt-dev libcli11-dev nlohmann-json3-dev libcairo2-dev
-       libboost1.74-dev libssl-dev)
+       libboost1.74-dev libssl-dev libcurl4-openssl-dev)
 test=(ninja-build libgtest-dev librapidcheck-dev libbenchmark-dev
       clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-19
       libasound2-plugins pulseaudio pulseaudio-utils netcat-openbsd)
@@ -17,7 +17,8 @@ arm64=(g++-aarch64-linux-gnu qemu-user-static libc6:arm64 libstdc++6:arm64 libff
        libsamplerate0-dev:arm64 libhwy-dev:arm64 libgtest-dev:arm64 librapidcheck-dev:arm64)
 
 arm64_programs=(libconfig++-dev:arm64 libsndfile1-dev:arm64 libasound2-dev:arm64 libpulse-dev:arm64
-                libfmt-dev:arm64 libcairo2-dev:arm64 libssl-dev:arm64 dpkg-dev)
+                libfmt-dev:arm64 libcairo2-dev:arm64 libssl-dev:arm64 libcurl4-openssl-dev:arm64
+                dpkg-dev)
 
 say() { echo "packages: $*" >&2; }
 

@@ -26,6 +26,15 @@ AudioStream stream_in(const nlohmann::json& name) {
   throw RpcError("bad_request", "there is no stream " + name.dump() + ": separated, postfiltered, raw");
 }
 
+std::unique_ptr<Webhook> make_webhook(const RecordsOptions& options) {
+  if (options.events.url.empty()) return nullptr;
+  Webhook::Options hook;
+  hook.url = options.events.url;
+  hook.timeout = std::chrono::milliseconds(static_cast<int>(options.events.timeout * 1000));
+  hook.say = options.say;
+  return std::make_unique<Webhook>(std::move(hook));
+}
+
 }  // namespace
 
 Records::Records(RecordsOptions options, Announcer& to)
@@ -33,11 +42,27 @@ Records::Records(RecordsOptions options, Announcer& to)
       to_(to),
       recordings_(options_.folder),
       sessions_(options_.folder),
-      recorder_(options_.folder, options_.preroll_s) {}
+      recorder_(options_.folder, options_.preroll_s),
+      webhook_(make_webhook(options_)),
+      teller_([this](const Json& event) {
+        announce("events", event);
+        if (webhook_) webhook_->post(event.dump(-1, ' ', false, Json::error_handler_t::replace));
+      }),
+      speech_(speech_options()) {}
+
+Speech::Options Records::speech_options() {
+  Speech::Options speech;
+  speech.command = options_.speech.command;
+  speech.heard = [this](const SpokenText& said) { heard(said); };
+  speech.say = options_.say;
+  return speech;
+}
 
 Records::~Records() { end(); }
 
 void Records::begin(const StreamInfo& info) {
+  teller_.begin(info);
+  speech_.begin(info);
   Lock lock(mutex_);
   info_ = info;
   last_ = 0;
@@ -47,6 +72,8 @@ void Records::begin(const StreamInfo& info) {
 }
 
 void Records::hop(const HopResult& hop) {
+  teller_.hop(hop);
+  speech_.hop(hop);
   Lock lock(mutex_);
   recorder_.hop(hop);
   last_ = hop.time;
@@ -63,6 +90,8 @@ void Records::hop(const HopResult& hop) {
 }
 
 void Records::end() {
+  teller_.end();
+  speech_.end();
   Lock lock(mutex_);
   if (!info_) return;
   stop_all();
@@ -118,9 +147,16 @@ void Records::drain_messages() {
   }
 }
 
-void Records::add(std::uint64_t track, const Transcript& transcript) {
+void Records::heard(const SpokenText& said) {
+  announce("transcripts", {{"type", "transcript"},
+                           {"track", said.track},
+                           {"text", said.text},
+                           {"final", said.is_final},
+                           {"from", said.from_s},
+                           {"to", said.to_s}});
+  if (!said.is_final) return;
   const std::scoped_lock lock(mutex_);
-  recorder_.add(track, transcript);
+  recorder_.add(said.track, {said.from_s, said.to_s, said.text});
 }
 
 std::uint64_t Records::free_space() const {

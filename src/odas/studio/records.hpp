@@ -14,6 +14,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "odas/engine/studio_config.hpp"
+#include "odas/studio/event_teller.hpp"
 #include "odas/studio/hop_listener.hpp"
 #include "odas/studio/messages.hpp"
 #include "odas/studio/recorder.hpp"
@@ -22,12 +24,16 @@
 #include "odas/studio/served.hpp"
 #include "odas/studio/session_recorder.hpp"
 #include "odas/studio/session_shelf.hpp"
+#include "odas/studio/speech.hpp"
+#include "odas/studio/webhook.hpp"
 
 namespace odas {
 
 struct RecordsOptions {
   std::filesystem::path folder;  // made when it is first needed
   double preroll_s = 1;
+  EventsConfig events{};
+  SpeechConfig speech{};
   std::uint64_t least_free = 100'000'000;  // bytes: recording stops before the disk is full
   /// Bytes that are free where the folder is; empty: the file system is asked.
   std::function<std::uint64_t(const std::filesystem::path&)> free_space{};
@@ -35,14 +41,15 @@ struct RecordsOptions {
   std::function<void(const std::string& level, const std::string& text)> say{};
 };
 
-/// All that a Studio keeps: recordings of voices and microphones, sessions, and the commands and downloads
-/// for them. Whatever the disk does, the run goes on: what goes wrong is said, and told with the message
-/// `recordings`.
+/// All that a Studio keeps and tells others: recordings of voices and microphones, sessions, the commands and
+/// downloads for them; events; and what is said, by the speech program. Whatever the disk does, the run goes
+/// on: what goes wrong is said, and told with the message `recordings`.
 ///
 /// Also an Announcer before the other one: what is announced through it (log, events, transcripts) goes into
 /// the session that is being recorded, too.
 class Records : public HopListener, public FileProvider, public Announcer {
  public:
+  /// Throws ConfigError: `events.url`.
   Records(RecordsOptions options, Announcer& to);
   ~Records() override;
   Records(const Records&) = delete;
@@ -55,9 +62,6 @@ class Records : public HopListener, public FileProvider, public Announcer {
   void end() override;
   std::optional<Served> find(std::string_view path, const Query& query) override;
   void announce(const std::string& topic, const nlohmann::json& message) override;
-
-  /// Something has been said by track `track`; times as of the run.
-  void add(std::uint64_t track, const Transcript& transcript);
 
  private:
   using Json = nlohmann::json;
@@ -74,6 +78,8 @@ class Records : public HopListener, public FileProvider, public Announcer {
   std::optional<Served> zip(const Query& query);
   std::optional<Served> exported(const std::string& format, const Query& query);
 
+  Speech::Options speech_options();
+  void heard(const SpokenText& said);
   void stop_all();
   void each_second();
   void session_failed(const IoStatus& status);
@@ -102,6 +108,10 @@ class Records : public HopListener, public FileProvider, public Announcer {
   std::mutex messages_mutex_;
   std::deque<std::pair<std::string, Json>> messages_;  // that a session has yet to keep
   std::atomic<bool> keeps_messages_{false};
+
+  std::unique_ptr<Webhook> webhook_;  // none: nobody is told
+  EventTeller teller_;
+  Speech speech_;  // the last: its thread calls us
 };
 
 }  // namespace odas

@@ -5,9 +5,11 @@
 
 #include "support/hop_maker.hpp"
 #include "support/kept_messages.hpp"
+#include "support/net_peer.hpp"
 #include "support/scratch.hpp"
 #include <gtest/gtest.h>
 
+#include "odas/base/error.hpp"
 #include "odas/studio/session_reader.hpp"
 
 namespace odas {
@@ -22,6 +24,9 @@ class RecordsTest : public testing::Test {
     RecordsOptions options;
     options.folder = scratch / "kept";
     options.free_space = [this](const fs::path&) { return free.load(); };
+    // Hears half a second, and knows what it was.
+    options.speech.command =
+        R"(head -c 16000 >/dev/null; echo '{"text":"hello","final":true}'; cat >/dev/null)";
     options.say = [this](const std::string&, const std::string& text) { said.push_back(text); };
     records.emplace(options, messages);
     records->add_methods(rpc);
@@ -138,13 +143,37 @@ TEST_F(RecordsTest, keep_in_a_session_what_is_announced_through_them) {
   records->announce("meters", {{"type", "meters"}});
   play(10, {1, 0});
   call("record.stop", {{"id", session["id"]}});
-  EXPECT_EQ(messages.of("events").size(), 2U) << "and everybody is told";
+  EXPECT_EQ(messages.of("events").size(), 3U) << "and everybody is told; somebody has appeared, too";
   std::vector<std::string> topics;
   SessionReader::Visitor visitor;
   visitor.text = [&](const std::string& topic, const json&) { topics.push_back(topic); };
   EXPECT_EQ(SessionReader(scratch / "kept" / session["name"].get<std::string>()).read(visitor), "");
   EXPECT_EQ(topics, (std::vector<std::string>{"event", "log"}));
   EXPECT_EQ(call("sessions.list")[0]["audio"], json::array({"raw"}));
+}
+
+TEST_F(RecordsTest, tell_of_sources_and_of_what_they_say_and_keep_it_beside_the_recording) {
+  begin();
+  play(1, {0, 0});
+  call("record.start", {{"what", "all"}});
+  play(100, {7, 0});
+  ASSERT_TRUE(test::eventually([&] { return !messages.of("transcripts").empty(); }));
+  play(1, {0, 0});
+  const json words = messages.of("transcripts")[0];
+  EXPECT_EQ(words["type"], "transcript");
+  EXPECT_EQ(words["track"], 7);
+  EXPECT_EQ(words["text"], "hello");
+  EXPECT_EQ(words["final"], true);
+  ASSERT_TRUE(test::eventually([&] { return call("recordings.list")[0]["transcript"] == "hello"; }));
+  ASSERT_EQ(messages.of("events").size(), 2U);
+  EXPECT_EQ(messages.of("events")[0]["event"], "appear");
+  EXPECT_EQ(messages.of("events")[1]["event"], "disappear");
+}
+
+TEST_F(RecordsTest, refuse_an_address_for_events_that_is_none) {
+  RecordsOptions options;
+  options.events.url = "nonsense";
+  EXPECT_THROW(Records(options, messages), ConfigError);
 }
 
 TEST_F(RecordsTest, go_on_when_the_pipeline_is_replaced_and_end_with_the_run) {
