@@ -22,6 +22,7 @@ void add_live(CLI::App& app);
 void add_run(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_score(CLI::App& app);
+void add_studio(CLI::App& app);
 void add_tune(CLI::App& app);
 void add_targets(CLI::App& app);
 

@@ -2,7 +2,6 @@
 #include "configured_run.hpp"
 
 #include <cstdio>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -10,8 +9,7 @@
 #include "odas/engine/live.hpp"
 #include "odas/engine/offline.hpp"
 #include "odas/io/registry.hpp"
-#include "odas/io/service_heartbeat.hpp"
-#include "odas/io/target_server.hpp"
+#include "odas/io/run_equipment.hpp"
 
 namespace odas {
 namespace {
@@ -31,31 +29,19 @@ RunSummary run_configuration(const std::string& file, const ConfiguredRun& how, 
     // The sinks come last: nothing is overwritten for a run that cannot start.
     const std::unique_ptr<AudioSource> source = make_source(config.raw);
     Pipeline pipeline(config.pipeline);
-    const auto sinks = make_sinks(
+    RunEquipment equipment(
         config,
         {.live = source->live(), .stop = &stop, .say = [&](const std::string& what) { say(program, what); }});
-    std::vector<Sink*> all;
-    for (const auto& sink : sinks) all.push_back(sink.get());
-    const auto heartbeat = ServiceHeartbeat::from_environment();
-    if (heartbeat) all.push_back(heartbeat.get());
-
-    TargetList begin;
-    begin.assign(targets_of(config.pipeline.sst));
-    TargetInbox inbox(begin);
-    std::optional<TargetServer> server;
-    if (const InterfaceConfig& at = config.control.interface; at.type != "blackhole") {
-      server.emplace(at, inbox, [&](const std::string& what) { say(program, "targets: " + what); });
-    }
 
     RunOptions options;
     options.silent_first_block = how.like_odas;
     options.pad_last_block = !how.like_odas;
     options.stop = &stop;
-    options.targets = server ? &inbox : nullptr;
+    options.targets = equipment.takes_targets() ? &equipment.targets() : nullptr;
     options.warn = [&](const std::string& warning) { say(program, "warning: " + warning); };
     options.notice = [&](const std::string& notice) { say(program, notice); };
     const auto run = how.threads ? run_live : run_offline;
-    return run(*source, config, pipeline, all, options);
+    return run(*source, config, pipeline, equipment.sinks(), options);
   } catch (const ConfigError& error) { throw loaded.locations.locate(error); }
 }
 

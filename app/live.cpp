@@ -6,11 +6,26 @@
 #include "commands.hpp"
 #include "configured_run.hpp"
 #include "stop.hpp"
+#include "studio_run.hpp"
 #include <CLI/CLI.hpp>
 
 #include "odas/config/array_library.hpp"
 
 namespace odas {
+namespace {
+
+/// The configuration as it stands, all its outputs too, and the page.
+void live_with_studio(const std::string& file, const std::string& address) {
+  StudioRun run;
+  run.studio.open = read_document(file);
+  run.studio.outputs = Outputs::all;
+  run.studio.config = load_configuration(run.studio.open->file).config.studio;
+  if (!address.empty()) set_address(run.studio.config, address);
+  run.ends_alone = true;
+  if (const int code = serve_studio(std::move(run)); code != 0) throw ExitCode{code};
+}
+
+}  // namespace
 
 void add_live(CLI::App& app) {
   CLI::App* live = app.add_subcommand("live", "Run a configuration as it stands: its source, its outputs");
@@ -28,8 +43,14 @@ void add_live(CLI::App& app) {
   CLI::Option* by_option = live->add_option("-c,--config", *file, "The same")->type_name("FILE");
   by_name->excludes(by_option);
   live->add_flag("-v,--verbose", *verbose, "Say at the end what it has cost");
-  live->callback([file, verbose] {
+  auto address = std::make_shared<std::string>();
+  CLI::Option* studio =
+      live->add_option("--studio", *address, "Serve the Studio, too: at 127.0.0.1:8080, or where this says")
+          ->type_name("[ADDRESS:PORT]")
+          ->expected(0, 1);
+  live->callback([file, verbose, address, studio] {
     if (file->empty()) throw CLI::RequiredError("ARRAY");
+    if (studio->count() > 0) return live_with_studio(*file, *address);
     const RunSummary summary =
         run_configuration(find_configuration(*file).string(), {}, "odas", stop_on_signals());
     if (*verbose) std::fprintf(stderr, "%s\n", describe(summary.metrics).c_str());

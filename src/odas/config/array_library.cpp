@@ -2,6 +2,7 @@
 #include "odas/config/array_library.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <string_view>
@@ -73,8 +74,21 @@ std::string nothing_of_this_name(const std::string& name, const std::vector<Arra
 
 }  // namespace
 
+fs::path user_array_folder() {
+  const auto variable = [](const char* name) {
+    const char* const value = std::getenv(name);
+    return fs::path(value == nullptr ? "" : value);
+  };
+  // Relative ones are to be passed over, as the XDG base directory specification says.
+  if (const fs::path folder = variable("XDG_CONFIG_HOME"); folder.is_absolute()) return folder / "odas";
+  if (const fs::path home = variable("HOME"); home.is_absolute()) return home / ".config/odas";
+  return {};
+}
+
 std::vector<fs::path> array_folders() {
-  std::vector<fs::path> folders{"configs", "/etc/odas"};
+  std::vector<fs::path> folders{"configs"};
+  if (fs::path own = user_array_folder(); !own.empty()) folders.push_back(std::move(own));
+  folders.emplace_back("/etc/odas");
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (error) return folders;

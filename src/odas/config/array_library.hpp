@@ -14,8 +14,12 @@ struct ArrayFile {
   std::string title;  // what it is for: its first comment, up to the colon; may be empty
 };
 
-/// The folders where configurations are found by name, earlier ones first: ./configs, /etc/odas (yours), then
-/// those that come with the program: ../share/odas/configs beside its folder where it is installed,
+/// Where the Studio saves a user's own: $XDG_CONFIG_HOME/odas, or ~/.config/odas. Empty: there is no home.
+[[nodiscard]] std::filesystem::path user_array_folder();
+
+/// The folders where configurations are found by name, earlier ones first: ./configs, the user's, /etc/odas
+/// (the machine's), then those that come with the program: ../share/odas/configs beside its folder where it
+/// is installed,
 /// ../../configs in a build tree.
 [[nodiscard]] std::vector<std::filesystem::path> array_folders();
 

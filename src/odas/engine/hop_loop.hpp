@@ -56,6 +56,7 @@ class HopLoop {
 
   [[nodiscard]] InputHealth& health() noexcept { return front_end_.health(); }
 
+  [[nodiscard]] std::uint64_t hops() const noexcept { return hops_; }
   /// Of all hops so far.
   [[nodiscard]] Metrics metrics() const noexcept;
 

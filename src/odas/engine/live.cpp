@@ -96,9 +96,20 @@ class Outbox {
   std::uint64_t dropped_ = 0;  // engine's
 };
 
-void run_engine(SpscQueue<Block>& inbox, HopLoop& loop, Outbox& outbox, bool pad) noexcept {
+/// Leaves the engine's figures where others can see them, now and then.
+void leave_metrics(LiveMetrics* to, const HopLoop& loop, const Outbox& outbox) noexcept {
+  if (to == nullptr || loop.hops() % LiveMetrics::kPeriod != 0) return;
+  Metrics metrics = loop.metrics();
+  metrics.dropped_hops = outbox.dropped();
+  to->note_engine(metrics);
+}
+
+void run_engine(SpscQueue<Block>& inbox, HopLoop& loop, Outbox& outbox, const RunOptions& options) noexcept {
   const FlushDenormals flush_denormals;
-  const auto send = [&](const HopResult& hop) { outbox.send(hop); };
+  const auto send = [&](const HopResult& hop) {
+    outbox.send(hop);
+    leave_metrics(options.metrics, loop, outbox);
+  };
   for (bool end = false; !end;) {
     const Block& block = inbox.wait_front();
     const Grid<float>& samples = block.samples;
@@ -107,7 +118,7 @@ void run_engine(SpscQueue<Block>& inbox, HopLoop& loop, Outbox& outbox, bool pad
     end = block.end;
     inbox.pop();
   }
-  loop.finish(pad, send);
+  loop.finish(options.pad_last_block, send);
   outbox.send_end();
 }
 
@@ -128,12 +139,17 @@ RunSummary run_live(AudioSource& source, const Configuration& config, Pipeline& 
   std::thread writer;
   {
     const SignalsBlocked signals_blocked;
-    engine = std::thread([&] { run_engine(inbox, loop, outbox, options.pad_last_block); });
+    engine = std::thread([&] { run_engine(inbox, loop, outbox, options); });
     writer = std::thread([&] { outbox.deliver(group); });
   }
 
   Block spare = {Grid<float>(source.channels(), static_cast<std::size_t>(config.raw.hop_size))};
   std::uint64_t lost = 0;  // frames that the engine has not been told of yet
+  const auto leave_losses = [&] {
+    if (options.metrics != nullptr) {
+      options.metrics->note_source(summary.metrics.overruns, summary.metrics.lost_frames);
+    }
+  };
   for (bool over = false; !over;) {
     Block* block = source.live() ? inbox.begin_push() : &inbox.wait_push();
     Block& target = block != nullptr ? *block : spare;
@@ -141,6 +157,7 @@ RunSummary run_live(AudioSource& source, const Configuration& config, Pipeline& 
     over = !fed;
     const std::size_t frames = fed ? fed->frames : 0;
     if (fed) lost += fed->lost;
+    leave_losses();
     if (block == nullptr && over) block = &inbox.wait_push();
     if (block == nullptr) {
       if (frames > 0) ++summary.metrics.overruns;

@@ -48,6 +48,13 @@ nanoseconds TimeHistogram::quantile(double q) const noexcept {
   return nanoseconds(0);
 }
 
+TimeHistogram TimeHistogram::since(const TimeHistogram& earlier) const noexcept {
+  TimeHistogram later = *this;
+  for (std::size_t bin = 0; bin < bins_.size(); ++bin) later.bins_[bin] -= earlier.bins_[bin];
+  later.total_ -= earlier.total_;
+  return later;
+}
+
 double Metrics::real_time_share() const noexcept {
   const std::chrono::duration<double> busy = hop_time.total();
   return sound_seconds > 0 ? busy.count() / sound_seconds : 0;

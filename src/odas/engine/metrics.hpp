@@ -18,6 +18,8 @@ class TimeHistogram {
   [[nodiscard]] std::chrono::nanoseconds quantile(double q) const noexcept;
   [[nodiscard]] std::chrono::nanoseconds max() const noexcept { return max_; }
   [[nodiscard]] std::chrono::nanoseconds total() const noexcept { return total_; }
+  /// Of those times alone that came after `earlier`, a copy of this one; its longest is that of all times.
+  [[nodiscard]] TimeHistogram since(const TimeHistogram& earlier) const noexcept;
 
  private:
   std::array<std::uint64_t, 128> bins_{};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -24,12 +25,15 @@ class PipelineInbox {
   /// Sender: `next` can continue what runs (`Pipeline::can_continue`). One that the engine has not taken yet
   /// is replaced.
   void post(std::unique_ptr<Pipeline> next) {
-    delete next_.exchange(next.release(), std::memory_order_acq_rel);
+    const Pipeline* const unseen = next_.exchange(next.release(), std::memory_order_acq_rel);
+    if (unseen == nullptr) ++posted_;
+    delete unseen;
   }
-  /// Sender, now and then: takes the old one down. True: the engine has taken the last one.
+  /// Sender, now and then: takes the old one down. True: the engine has put the last one into its place, and
+  /// leaves what runs alone until the next.
   bool tidy() {
     delete old_.exchange(nullptr, std::memory_order_acq_rel);
-    return next_.load(std::memory_order_acquire) == nullptr;
+    return taken_.load(std::memory_order_acquire) == posted_;
   }
 
   /// Engine, before a hop. While an old one waits to be taken down, a new one waits.
@@ -41,11 +45,14 @@ class PipelineInbox {
     next->continue_from(running);
     std::swap(*next, running);
     old_.store(next, std::memory_order_release);
+    taken_.fetch_add(1, std::memory_order_release);
   }
 
  private:
   std::atomic<Pipeline*> next_{nullptr};
   std::atomic<Pipeline*> old_{nullptr};
+  std::uint64_t posted_ = 0;  // sender's
+  std::atomic<std::uint64_t> taken_{0};
 };
 
 }  // namespace odas

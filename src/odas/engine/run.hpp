@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "odas/engine/live_metrics.hpp"
 #include "odas/engine/metrics.hpp"
 #include "odas/engine/pipeline_inbox.hpp"
 #include "odas/engine/target_inbox.hpp"
@@ -26,6 +27,8 @@ struct RunOptions {
   TargetInbox* targets = nullptr;
   /// Whence new pipelines come while it runs, to take the place of the one that does; nullptr: it stays.
   PipelineInbox* pipelines = nullptr;
+  /// Where its metrics are left while it goes on (run_live only); nullptr: nobody looks.
+  LiveMetrics* metrics = nullptr;
   /// Frames read so far, and of how many. Called for each block, in the thread of the caller.
   std::function<void(std::uint64_t done, std::optional<std::uint64_t> total)> progress;
   /// Told at once of what a user should know but what does not end the run: "microphone 3 (channel 4) is

@@ -47,8 +47,11 @@ struct StreamInfo {
 class HopListener {
  public:
   virtual ~HopListener() = default;
-  /// A run begins. Also when the pipeline was replaced while it runs, with another `run`.
+  /// A run begins, with another `run`.
   virtual void begin(const StreamInfo& info) = 0;
+  /// The same run goes on, hop after hop and with the same ids, by another configuration of the same shapes:
+  /// `config_hash`, gains and the places of microphones may be others.
+  virtual void change(const StreamInfo& info) { static_cast<void>(info); }
   /// Every hop in order; `time` jumps where hops were lost. The views hold during the call; any may be empty.
   virtual void hop(const HopResult& hop) = 0;
   virtual void end() = 0;

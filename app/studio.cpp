@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// odas studio: the page that shows, records and configures.
+#include <filesystem>
+#include <memory>
+
+#include "commands.hpp"
+#include "studio_run.hpp"
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "odas/base/error.hpp"
+#include "odas/config/edit.hpp"
+#include "odas/studio/config_edit.hpp"
+
+namespace odas {
+namespace {
+
+struct Arguments {
+  std::string what, address, token, recordings, play;
+  bool loop = false, no_qr = false, any_port = false;
+};
+
+/// The configuration's own section `studio`, as far as it can be read.
+StudioConfig section_of(const Document& document) {
+  return read_configuration_text(document.text, document.source_name()).config.studio;
+}
+
+int serve(const Arguments& arguments) {
+  StudioRun run;
+  StudioConfig& config = run.studio.config;
+  if (arguments.what.ends_with(".mcap")) {
+    run.studio.session = arguments.what;
+  } else if (!arguments.what.empty()) {
+    run.studio.open = read_document(arguments.what);
+    config = section_of(*run.studio.open);
+  }
+  if (!arguments.play.empty()) {
+    if (!run.studio.open) throw ConfigError("--play", "wants the array that the recording was made with");
+    const auto file = std::filesystem::absolute(arguments.play).string();
+    run.studio.open->text = with_source(*run.studio.open, nlohmann::json{{"type", "file"}, {"path", file}});
+  }
+  if (!arguments.address.empty()) set_address(config, arguments.address);
+  if (!arguments.token.empty()) config.token = arguments.token;
+  if (!arguments.recordings.empty()) config.recordings = arguments.recordings;
+  run.studio.loop = arguments.loop;
+  run.qr = !arguments.no_qr;
+  run.any_port = arguments.any_port;
+  return serve_studio(std::move(run));
+}
+
+}  // namespace
+
+void add_studio(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("studio", "Serve a page that shows, records and configures");
+  auto arguments = std::make_shared<Arguments>();
+  command
+      ->add_option("ARRAY", arguments->what,
+                   "Configuration to run: a file, or the name of an array; or a session (.mcap) to look at")
+      ->type_name("");
+  command
+      ->add_option("-l,--listen", arguments->address,
+                   "Where to listen; without it 127.0.0.1:8080. Any but this machine's own wants a token")
+      ->type_name("ADDRESS:PORT");
+  command
+      ->add_option("--token", arguments->token,
+                   "What a browser must say; away from this machine one is made where none is given")
+      ->type_name("TOKEN");
+  command->add_option("--recordings", arguments->recordings, "Folder of recordings and sessions")
+      ->type_name("FOLDER");
+  command
+      ->add_option("--play", arguments->play,
+                   "Hear this recording, as fast as it was made, in place of raw.interface")
+      ->type_name("FILE");
+  command->add_flag("--loop", arguments->loop, "Begin a recording anew when it ends");
+  command->add_flag("--no-qr", arguments->no_qr, "Show no QR code of the link");
+  command->add_flag("--any-port", arguments->any_port, "Take another port where this one is taken");
+  command->footer(
+      "Prints the address for a browser and serves until Ctrl-C. Without ARRAY the page chooses device or\n"
+      "file, and array. Of the outputs of the configuration only those of the network are written to: for\n"
+      "files and the terminal run 'odas live ARRAY --studio'.\n\n"
+      "Examples:\n"
+      "  odas studio\n"
+      "  odas studio respeaker_usb_4_mic\n"
+      "  odas studio sample --play samples/sample_4mic.flac --loop\n"
+      "  odas studio --listen 0.0.0.0:8080\n");
+  command->callback([arguments] {
+    if (const int code = serve(*arguments); code != 0) throw ExitCode{code};
+  });
+}
+
+}  // namespace odas

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "studio_run.hpp"
+
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "stop.hpp"
+
+#include "odas/base/error.hpp"
+
+namespace odas {
+namespace {
+
+bool is_port(std::string_view text, int& port) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
+  return error == std::errc() && end == text.data() + text.size() && port >= 0 && port <= 65535;
+}
+
+/// A demonstration must not fail because somebody else listens already.
+std::unique_ptr<Studio> make_studio(const StudioRun& run) {
+  try {
+    return std::make_unique<Studio>(run.studio);
+  } catch (const IoError& error) {
+    if (!run.any_port || run.studio.config.port == 0) throw;
+    std::fprintf(stderr, "%s: %s; another port is taken\n", run.studio.program.c_str(), error.what());
+    StudioOptions elsewhere = run.studio;
+    elsewhere.config.port = 0;
+    return std::make_unique<Studio>(std::move(elsewhere));
+  }
+}
+
+}  // namespace
+
+void set_address(StudioConfig& config, const std::string& address) {
+  int port = 0;
+  if (is_port(address, port)) {
+    config.port = port;
+    return;
+  }
+  // Of [::1]:8080 the last colon is the one before the port; ::1 has none.
+  const std::size_t colon = address.rfind(':');
+  const bool bare_v6 = address.find(':') != colon && !address.starts_with('[');
+  std::string host = address;
+  if (colon != std::string::npos && !bare_v6 && !address.ends_with(']')) {
+    if (!is_port(std::string_view(address).substr(colon + 1), port)) {
+      throw ConfigError(address, "is no address to listen at; say ADDRESS:PORT, such as 127.0.0.1:8080");
+    }
+    config.port = port;
+    host = address.substr(0, colon);
+  }
+  if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
+  if (!host.empty()) config.ip = host;
+}
+
+int serve_studio(StudioRun run) {
+  const std::atomic<bool>& stop = stop_on_signals();
+  const std::unique_ptr<Studio> studio = make_studio(run);
+  const char* const program = run.studio.program.c_str();
+  std::fprintf(stderr, "%s: Studio: %s (Ctrl-C ends)\n", program, studio->url().c_str());
+  std::optional<Studio::End> end;
+  while (!stop && !(run.ends_alone && (end = studio->end()))) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return end ? end->exit_code : 0;
+}
+
+}  // namespace odas
