@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "support/net_peer.hpp"
+#include "support/old_studio.hpp"
 #include "support/small_run.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -222,24 +223,6 @@ TEST(Clients, many_may_listen_to_a_listening_output_and_come_late) {
   EXPECT_EQ(stranger.receive_all(), "");
 }
 
-/// odas_web: the text is parted at `}` LF `{`, and the braces are put back.
-std::vector<json> parse_like_odas_web(const std::string& stream, std::size_t chunk) {
-  std::vector<json> objects;
-  std::string buffer;
-  const auto add = [&](std::string text) {
-    if (!text.starts_with("{")) text = "{" + text;
-    if (text.find("\n}") == std::string::npos) text += "}";
-    objects.push_back(json::parse(text, nullptr, false));
-  };
-  for (std::size_t at = 0; at < stream.size(); at += chunk) {
-    buffer += stream.substr(at, chunk);
-    for (std::size_t cut = 0; (cut = buffer.find("}\n{")) != std::string::npos; buffer.erase(0, cut + 2)) {
-      add(buffer.substr(0, cut));
-    }
-  }
-  return objects;  // the last one is held until the next begins
-}
-
 /// odas_ros: braces are counted; numbers of a source must be floats to Python.
 std::vector<json> parse_like_odas_ros(const std::string& stream) {
   std::vector<json> objects;
@@ -284,15 +267,6 @@ TEST(Clients, odas_web_and_odas_ros_read_each_hop_once) {
       }
     }
   }
-}
-
-/// odas_web: each chunk is cut into pieces of two bytes, round robin, always from channel 0 on.
-std::vector<std::string> record_like_odas_web(const std::vector<std::string>& chunks) {
-  std::vector<std::string> channels(4);
-  for (const std::string& chunk : chunks) {
-    for (std::size_t at = 0; at + 1 < chunk.size(); at += 2) channels[at / 2 % 4] += chunk.substr(at, 2);
-  }
-  return channels;
 }
 
 TEST(Clients, odas_web_and_odas_ros_never_mix_the_channels_up) {
