@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: MIT
 # cmake -DFOLDER=web/dist -DOUT=DIR -DNAMES=a|b/c -P embed_assets.cmake: writes DIR/assets.cpp
-set(types
-  html "text/html; charset=utf-8" js "text/javascript; charset=utf-8" css "text/css; charset=utf-8"
-  svg "image/svg+xml" png "image/png" ico "image/x-icon" json "application/json" txt "text/plain; charset=utf-8"
-  webmanifest "application/manifest+json" map "application/json")
+set(type_html "text/html; charset=utf-8")
+set(type_js "text/javascript; charset=utf-8")
+set(type_css "text/css; charset=utf-8")
+set(type_txt "text/plain; charset=utf-8")
+set(type_json "application/json")
+set(type_svg "image/svg+xml")
+set(type_png "image/png")
 string(REPLACE "|" ";" names "${NAMES}")
 set(code "")
 set(table "")
@@ -15,12 +18,9 @@ foreach(name IN LISTS names)
   execute_process(COMMAND gzip -9nc ${file} OUTPUT_FILE ${packed} COMMAND_ERROR_IS_FATAL ANY)
   get_filename_component(extension ${name} LAST_EXT)
   string(SUBSTRING "${extension}" 1 -1 extension)
-  list(FIND types "${extension}" at)
-  if(at EQUAL -1)
+  if(NOT DEFINED type_${extension})
     message(FATAL_ERROR "${name}: no content type is known for .${extension}; add it to cmake/embed_assets.cmake")
   endif()
-  math(EXPR at "${at} + 1")
-  list(GET types ${at} type)
   file(SHA256 ${file} hash)
   string(SUBSTRING ${hash} 0 16 hash)
   foreach(part plain gzip)
@@ -35,7 +35,7 @@ foreach(name IN LISTS names)
       "extern const char odas_asset_${number}_${part}[], odas_asset_${number}_${part}_end[];\n")
   endforeach()
   string(APPEND table
-    "      Asset{\"/${name}\", \"${type}\", \"\\\"${hash}\\\"\",\n"
+    "      Asset{\"/${name}\", \"${type_${extension}}\", \"\\\"${hash}\\\"\",\n"
     "            bytes(odas_asset_${number}_plain, odas_asset_${number}_plain_end),\n"
     "            bytes(odas_asset_${number}_gzip, odas_asset_${number}_gzip_end)},\n")
   math(EXPR number "${number} + 1")

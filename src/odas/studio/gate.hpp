@@ -13,11 +13,11 @@ namespace odas {
 
 /// What a request says of who sends it.
 struct Visitor {
-  std::string_view host;           // header Host
-  std::string_view origin;         // header Origin; "": none
-  std::string_view authorization;  // header
-  std::string_view cookie;         // header
-  std::string_view query;          // of the target, without '?'
+  std::string_view host{};           // header Host
+  std::string_view origin{};         // header Origin; "": none
+  std::string_view authorization{};  // header
+  std::string_view cookie{};         // header
+  std::string_view query{};          // of the target, without '?'
 };
 
 /// Who may come in, and as what. Against pages of other sites: `Host` must be an address or a name of ours (a

@@ -132,9 +132,10 @@ class LiveSession final : public StudioClient, public std::enable_shared_from_th
   void start(Request request) {
     request_ = std::move(request);
     beast::get_lowest_layer(socket_).expires_never();
-    websocket::stream_base::timeout patience{kPatience, std::chrono::seconds(30), true};
+    websocket::stream_base::timeout patience{kPatience / 2, std::chrono::seconds(30), true};
     socket_.set_option(patience);
     socket_.read_message_max(kMostMessage);
+    socket_.auto_fragment(false);
     socket_.async_accept(request_, [self = this->shared_from_this()](Error error) {
       if (error) return;
       self->open_ = true;
@@ -256,7 +257,7 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession<Stream
         {view(request_[http::field::host]), view(request_[http::field::origin]),
          view(request_[http::field::authorization]), view(request_[http::field::cookie]), query_});
     if (!verdict.role) {
-      server_->note("refused", "a request was refused: " + verdict.why);
+      server_->note(verdict.why, "a request was refused: " + verdict.why);
       return refuse(static_cast<http::status>(verdict.status), verdict.why);
     }
     role_ = *verdict.role;

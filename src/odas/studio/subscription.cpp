@@ -24,9 +24,8 @@ void Subscription::add_to(HopRing::Demand& demand) const {
 Subscription read_subscription(const json& message) {
   Subscription subscription;
   try {
-    for (const auto& [topic, rate] : message.value("topics", json::object()).items()) {
-      subscription.topics[topic] = rate.get<double>();
-    }
+    const json topics = message.value("topics", json::object());
+    for (const auto& [topic, rate] : topics.items()) { subscription.topics[topic] = rate.get<double>(); }
     subscription.potentials = message.value("potentials", true);
     for (const json& one : message.value("audio", json::array())) {
       const std::string name = one.at("stream");

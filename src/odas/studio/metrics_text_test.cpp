@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "odas/studio/metrics_text.hpp"
+
+#include <regex>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace odas {
+namespace {
+
+TEST(MetricsText, is_what_Prometheus_reads) {
+  const std::string text =
+      metrics_text({{"hops", 1500}, {"hop_p99_us", 250.0}, {"temperature", nullptr}, {"unknown", 3}});
+  EXPECT_NE(text.find("# TYPE odas_hops_total counter\nodas_hops_total 1500\n"), std::string::npos);
+  EXPECT_NE(text.find("odas_hop_seconds_p99 0.00025\n"), std::string::npos);
+  EXPECT_EQ(text.find("temperature"), std::string::npos);
+  const std::regex line(R"((# (HELP|TYPE) [a-z_0-9]+ .+|[a-z_][a-z_0-9]* -?[0-9.e+-]+)\n)");
+  std::size_t matched = 0;
+  for (std::sregex_iterator at(text.begin(), text.end(), line), end; at != end; ++at) matched += at->length();
+  EXPECT_EQ(matched, text.size());
+}
+
+}  // namespace
+}  // namespace odas
