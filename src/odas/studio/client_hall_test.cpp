@@ -113,7 +113,7 @@ TEST_F(ClientHallTest, answers_one_who_has_gone_with_nothing) {
 TEST_F(ClientHallTest, says_what_is_wrong_with_a_message) {
   const auto client = join();
   for (const char* text :
-       {"", "[]", "{", R"({"method":5})", R"({"type":7})", R"({"type":"subscribe","topics":[1]})"}) {
+       {"", "[]", "{", R"({"method":5})", R"({"type":7})", R"({"type":"subscribe","topics":{"hops":"x"}})"}) {
     client->got.clear();
     hall.hear(client, text);
     ASSERT_EQ(client->got.size(), 1U) << text;

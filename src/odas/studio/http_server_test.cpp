@@ -253,6 +253,8 @@ TEST_F(ServerTest, sends_every_hop_once_and_in_order) {
       EXPECT_EQ(hop.at("tracks").at(0).at(1), 7);
     }
   }
+  client.send(R"({"type":"subscribe","topics":{"meters":10}})");
+  for (int i = 0; i < 500; ++i) s.hop(run.next());
   EXPECT_EQ(next(client, "meters").at("mics").size(), 2U);
 }
 
