@@ -25,6 +25,7 @@ Subscription read_subscription(const json& message) {
   Subscription subscription;
   try {
     const json topics = message.value("topics", json::object());
+    if (!topics.is_object()) throw RpcError("bad_request", "subscribe: topics is an object");
     for (const auto& [topic, rate] : topics.items()) { subscription.topics[topic] = rate.get<double>(); }
     subscription.potentials = message.value("potentials", true);
     for (const json& one : message.value("audio", json::array())) {
