@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Builds web/dist: the page, its style, and chunks that are loaded when they are needed. The same input gives the same bytes.
 import { build } from "esbuild";
-import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { cpSync, mkdirSync, rmSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import { gzipSync } from "node:zlib";
+
+import { kBudget, weigh } from "./test/support/weight.mjs";
 
 const root = dirname(fileURLToPath(import.meta.url));
-
-/** What a first visit and all later chunks may weigh together, gzipped. */
-export const kBudget = 250 * 1024;
-
-/** Bytes of each file below `folder`, as they travel (gzipped). */
-export function weigh(folder) {
-  return readdirSync(folder, { recursive: true, withFileTypes: true })
-    .filter((entry) => entry.isFile())
-    .map((entry) => {
-      const path = join(entry.parentPath ?? entry.path, entry.name);
-      return { name: path.slice(folder.length + 1), bytes: gzipSync(readFileSync(path), { level: 9 }).length };
-    })
-    .sort((a, b) => a.name.localeCompare(b.name));
-}
 
 export async function buildPage(folder) {
   rmSync(folder, { recursive: true, force: true });

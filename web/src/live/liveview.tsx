@@ -2,7 +2,7 @@
 // Everything that is seen of a run. The page of the daemon shows it, and that of a replay with a store of its own.
 import { useEffect, useMemo } from "preact/hooks";
 
-import { Extras } from "../pages/extras";
+import { Extras, ExtrasButtons } from "../pages/extras";
 import { useStudio } from "../studio";
 import { Announcer } from "./announcer";
 import { FiltersPanel } from "./cards/filterspanel";
@@ -47,7 +47,7 @@ export function LiveView({ replay = false, use = () => {} }: { replay?: boolean;
         <div class="live-middle">
           <SpherePanel />
           <ChartsPanel />
-          {!replay && <Extras />}
+          {!replay && <ExtrasButtons />}
         </div>
         {!replay && (
           <div class="live-right">
@@ -58,6 +58,7 @@ export function LiveView({ replay = false, use = () => {} }: { replay?: boolean;
           </div>
         )}
       </div>
+      {!replay && <Extras />}
       <ListenBar />
       <Announcer />
     </ViewContext.Provider>

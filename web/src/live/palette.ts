@@ -30,6 +30,8 @@ export function inks(): Inks {
   };
 }
 
+export { rampIndex } from "./ramp";
+
 type Rgb = readonly [number, number, number];
 
 /** Dim to bright on dark, pale to deep on light: more energy stands out more. */
@@ -55,13 +57,6 @@ export function ramp(): Uint8ClampedArray {
     tables.set(name, table);
   }
   return table;
-}
-
-/** Where in the ramp an energy stands when `range` is what the filter lets through; equal ends are safe. */
-export function rampIndex(energy: number, range: readonly [number, number]): number {
-  const width = range[1] - range[0];
-  const share = width > 0 ? (energy - range[0]) / width : energy >= range[0] ? 1 : 0;
-  return Math.round(255 * Math.min(1, Math.max(0, share)));
 }
 
 /** Draws a marker of radius `r` as a path. */

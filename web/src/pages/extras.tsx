@@ -15,19 +15,27 @@ const open = stored<Name[]>("extras", [], (value) => (Array.isArray(value) ? kNa
 const LazySpectrogram = lazy(async () => (await import("./spectrogram/spectrogram")).Spectrogram);
 const LazyCamera = lazy(async () => (await import("./camera/camera")).CameraPanel);
 
-export function Extras() {
+/** Two buttons at the edge of the charts. */
+export function ExtrasButtons() {
   const { store, desk } = useStudio();
-  const view = useView();
   const titles: Record<Name, string> = { spectrogram: spectrogram("title"), camera: camera("title") };
   const toggle = (name: Name) => {
     open.value = open.value.includes(name) ? open.value.filter((one) => one !== name) : [...open.value, name];
   };
   const offered = kNames.filter((name) => (name === "camera" ? Boolean(store.hello.value?.camera) || open.value.includes(name) : desk !== undefined));
   return (
+    <div class="row-wrap extras-buttons">
+      {offered.map((name) => <button key={name} class="button small" aria-pressed={open.value.includes(name)} onClick={() => toggle(name)}>{titles[name]}</button>)}
+    </div>
+  );
+}
+
+export function Extras() {
+  const { store, desk } = useStudio();
+  const view = useView();
+  if (open.value.length === 0) return null;
+  return (
     <div class="extras">
-      <div class="row-wrap">
-        {offered.map((name) => <button key={name} class="button small" aria-pressed={open.value.includes(name)} onClick={() => toggle(name)}>{titles[name]}</button>)}
-      </div>
       {desk && open.value.includes("spectrogram") && (
         <LazySpectrogram
           track={view.selected.value} mics={store.run.value?.mics?.length ?? 1}

@@ -71,7 +71,9 @@ function describe([key, kind, more], value, path, text) {
 function put(model, path, value) {
   const steps = path.match(/[^.[\]]+/g).map((step) => (/^\d+$/.test(step) ? Number(step) : step));
   let place = model;
-  for (const step of steps.slice(0, -1)) place = place[step] ??= {};
+  steps.slice(0, -1).forEach((step, i) => {
+    place = place[step] ??= typeof steps[i + 1] === "number" ? [] : {};
+  });
   const last = steps.at(-1);
   if (value !== null) place[last] = value;
   else if (Array.isArray(place)) place.splice(last, 1);

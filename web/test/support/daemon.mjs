@@ -34,6 +34,17 @@ export class FakeDaemon {
     this.send(message);
   }
 
+  /** Says hops ten times a second until `stop`; `scene` may be changed meanwhile. */
+  feed(scene) {
+    this.hops(12, scene.tracks, scene.potentials);
+    this.timer = setInterval(() => this.hops(12, scene.tracks, scene.potentials), 100);
+    return scene;
+  }
+
+  stop() {
+    clearInterval(this.timer);
+  }
+
   /** Ends the connection; refuses new ones until `refusing` is false. */
   drop(refuse = false) {
     this.refusing = refuse;

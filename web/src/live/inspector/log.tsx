@@ -13,7 +13,7 @@ export function LogTail() {
     if (atEnd.current && box.current) box.current.scrollTop = box.current.scrollHeight;
   }, [lines]);
   return (
-    <section class="panel log" aria-label={t("log")}>
+    <section class="panel log">
       <header><h2>{t("log")}</h2></header>
       <div
         ref={box}
