@@ -31,7 +31,7 @@ function speak(daemon, blocks) {
         const talk = Math.max(0, Math.sin(n / 5200)) ** 0.5;
         let sum = 0;
         for (let h = 1; h < 16; ++h) sum += Math.sin((2 * Math.PI * h * f * n) / 16000) / h;
-        return 5000 * talk * sum + (stream === 2 ? 900 : 90) * (Math.random() - 0.5) * 2;
+        return 5000 * talk * sum + (stream === 2 ? 120 : 12) * (Math.random() - 0.5) * 2;
       });
       daemon.send(audio({ stream, source: stream === 2 ? 1 : 12, first: block * 512, samples }));
     }
@@ -80,7 +80,7 @@ const shots = {
     await page.waitForSelector(".diff");
   } },
   health: { route: "health", daemon: () => fullDaemon().daemon, after: async (page, daemon) => {
-    sendFigures(daemon);
+    await sendFigures(daemon);
     await page.waitForTimeout(600);
   } },
   "health-failed": { route: "health", daemon: () => {
@@ -138,6 +138,8 @@ for (const [name, shot] of Object.entries(shots)) {
     } catch (error) {
       console.error(name, String(error));
     }
+    if (!name.includes("empty") && !name.includes("first") && !name.includes("failed") && shot.route !== "live") daemon.hops(125);
+    await page.waitForTimeout(200);
     await page.screenshot({ path: join(out, `${name}-${theme}.png`) });
     console.log(`${name}-${theme}.png`);
     await context.close();

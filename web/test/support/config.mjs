@@ -36,7 +36,9 @@ function write(value, indent = "") {
   return JSON.stringify(value);
 }
 
-/** Text and model go together: the model stands in the last line, for the fake cannot read libconfig. */
+/** The fake cannot read libconfig: it remembers what each text of its own said. */
+const known = new Map();
+
 function textOf(model) {
   const lines = ["# Seeed ReSpeaker USB Mic Array v2.0: four microphones on a circle of 64 mm.", ""];
   for (const [section, keys] of Object.entries(model)) {
@@ -44,13 +46,18 @@ function textOf(model) {
     for (const [key, value] of Object.entries(keys)) lines.push(`  ${key} = ${write(value, "  ")};`);
     lines.push("};", "");
   }
-  return `${lines.join("\n")}\n# ${JSON.stringify(model)}\n`;
+  const text = lines.join("\n");
+  known.set(text, JSON.stringify(model));
+  return text;
 }
 
 function modelOf(text) {
   const broken = text.split("\n").findIndex((line) => line.includes("!!"));
   if (broken >= 0) throw Object.assign(new Error("syntax"), { code: "invalid", data: { faults: [{ line: broken + 1, severity: "error", what: "syntax error: an expression was expected" }] } });
-  return JSON.parse(text.trimEnd().split("\n").at(-1).slice(2));
+  const model = JSON.parse(known.get(text) ?? JSON.stringify(kFirst));
+  const typed = /N_prob = (\d+)/.exec(text);
+  if (typed && !known.has(text)) model.sst.N_prob = Number(typed[1]);
+  return model;
 }
 
 function describe([key, kind, more], value, path, text) {

@@ -42,9 +42,10 @@ export async function serveFiles(page, options = {}) {
 }
 
 /** Figures of the last minutes, one a second of the page's own time. */
-export function sendFigures(daemon, count = 40) {
+export async function sendFigures(daemon, count = 40) {
   for (let i = 0; i < count; ++i) {
     const wave = Math.sin(i / 5);
     daemon.send(health({ hops: 12000 + 125 * i, hop_p50_us: 410 + 30 * wave, hop_p99_us: 890 + 120 * Math.abs(wave), cpu: 0.062 + 0.01 * wave, overruns: i > 30 ? 1 : 0, real_time_share: 0.051 + 0.01 * wave }));
+    await new Promise((resolve) => setTimeout(resolve, 30));
   }
 }

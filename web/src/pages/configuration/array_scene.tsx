@@ -151,12 +151,15 @@ function drawMics({ ctx, color }: Pen, mics: FormMic[], place: (p: Vec3) => Spot
   const spots = mics.map((mic, i) => ({ ...place(mic.position), mic: i, ahead: place(ahead(mic, reach * 0.35)) }));
   ctx.font = `600 11px ${getComputedStyle(document.body).fontFamily}`;
   for (const spot of [...spots].sort((a, b) => a.depth - b.depth)) {
-    ctx.strokeStyle = ctx.fillStyle = accent;
-    ctx.lineWidth = 2;
+    ctx.fillStyle = accent;
     ctx.beginPath();
     ctx.moveTo(spot.x, spot.y);
     ctx.lineTo(spot.ahead.x, spot.ahead.y);
-    ctx.stroke();
+    for (const [ink, thick] of [["plot-ground", 5], ["accent", 2.5]] as const) {
+      ctx.strokeStyle = color(ink);
+      ctx.lineWidth = thick;
+      ctx.stroke();
+    }
     ctx.beginPath();
     ctx.arc(spot.x, spot.y, 9.5, 0, 2 * Math.PI);
     ctx.fill();

@@ -115,7 +115,7 @@ function MicTable({ draft, may, chosen, onChoose }: TableProps) {
         <h2 id="mics-title">{t("mics")}</h2>
         {may && <button class="button small" onClick={() => void draft.edit([{ path: `general.mics[${mics.length}]`, value: { mu: [0, 0, 0] } }])}>{t("addMic")}</button>}
       </header>
-      <div class="table-scroll" tabIndex={0} role="region" aria-label={t("mics")}>
+      <div class="table-scroll" tabIndex={0} role="group" aria-label={t("mics")}>
         <table class="table mic-table">
           <thead><tr><th>{t("mic")}</th><th>x (m)</th><th>y (m)</th><th>z (m)</th><th>{t("pointing")}</th><th>{t("channel")}</th><th><span class="visually-hidden">{t("remove")}</span></th></tr></thead>
           <tbody>

@@ -14,7 +14,7 @@ export function DiffView({ draft }: { draft: Draft }) {
     return <div class="empty"><h3>{t("sameText")}</h3><p>{t("sameTextNext")}</p></div>;
   }
   return (
-    <div class="table-scroll" tabIndex={0} role="region" aria-label={t("tab_changes")}>
+    <div class="table-scroll" tabIndex={0} role="group" aria-label={t("tab_changes")}>
       <table class="diff">
         <tbody>
           {lines.map((line, i) => line === null ? (

@@ -2,7 +2,7 @@
 // Every figure that the engine says of itself, now and over the last minutes.
 import { number } from "../../i18n/i18n";
 import { bytes } from "../../lib/bytes";
-import { kKeptSeconds, type FigureHistory } from "../../lib/figure_history";
+import type { FigureHistory } from "../../lib/figure_history";
 import type { Health } from "../../socket/messages";
 import { Canvas, type Pen } from "../shared/canvas";
 import { t } from "./texts";
@@ -72,7 +72,9 @@ function drawSpark({ ctx, width, height, color }: Pen, points: { ago: number; va
   if (values.length < 2) return;
   const high = Math.max(...values);
   const low = Math.min(0, ...values);
-  const x = (ago: number) => width - (ago / kKeptSeconds) * width;
+  // What there is fills the width, until it is five minutes.
+  const longest = Math.max(1, ...points.map((point) => point.ago));
+  const x = (ago: number) => width - 1 - (ago / longest) * (width - 2);
   const y = (value: number) => height - 2 - ((value - low) / (high - low || 1)) * (height - 4);
   ctx.strokeStyle = color(bad ? "bad" : "accent");
   ctx.lineWidth = 1.5;

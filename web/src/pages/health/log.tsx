@@ -62,7 +62,7 @@ export function Log() {
           <p class="soft">{t(all.length === 0 ? "noLog" : "noLogMatch")}</p>
         ) : (
           <div
-            ref={list} class="log-lines" tabIndex={0} role="region" aria-label={t("log")}
+            ref={list} class="log-lines" tabIndex={0} role="group" aria-label={t("log")}
             onScroll={(event) => { const box = event.currentTarget; atEnd.current = box.scrollHeight - box.scrollTop - box.clientHeight < 8; }}
           >
             <ol>

@@ -67,10 +67,10 @@ export function Spectrogram({ track, mics, onWish, listen }: Props) {
     <section class="panel spectrogram" aria-labelledby="spectrogram-title">
       <header>
         <h2 id="spectrogram-title">{t("title")}</h2>
-        <SideSelect label={t("left")} value={above} onChange={setAbove} mic={mic} />
-        <SideSelect label={t("right")} value={below} onChange={setBelow} mic={mic} />
+        <SideSelect label={t("left")} value={above} onChange={setAbove} />
+        <SideSelect label={t("right")} value={below} onChange={setBelow} />
         {(above === "raw" || below === "raw") && mics > 1 && (
-          <select value={String(mic)} aria-label={t("raw", { n: "" })} onChange={(event) => setMic(Number(event.currentTarget.value))}>
+          <select value={String(mic)} aria-label={t("mic")} onChange={(event) => setMic(Number(event.currentTarget.value))}>
             {Array.from({ length: mics }, (_, i) => <option key={i} value={String(i + 1)}>{t("raw", { n: i + 1 })}</option>)}
           </select>
         )}
@@ -95,14 +95,14 @@ export function Spectrogram({ track, mics, onWish, listen }: Props) {
   );
 }
 
-function SideSelect({ label, value, onChange, mic }: { label: string; value: Side; onChange: (side: Side) => void; mic: number }) {
+function SideSelect({ label, value, onChange }: { label: string; value: Side; onChange: (side: Side) => void }) {
   return (
     <label class="inline-field">
       <span>{label}</span>
       <select value={value} onChange={(event) => onChange(event.currentTarget.value as Side)}>
         <option value="separated">{t("separated")}</option>
         <option value="postfiltered">{t("postfiltered")}</option>
-        <option value="raw">{t("raw", { n: mic })}</option>
+        <option value="raw">{t("mic")}</option>
         <option value="none">{t("none")}</option>
       </select>
     </label>
