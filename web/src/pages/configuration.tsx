@@ -62,7 +62,7 @@ export function ConfigurationPage() {
           </div>
           {draft.plan.value && (
             <details class="panel section">
-              <summary><h3>{t("plan")}</h3></summary>
+              <summary><h2>{t("plan")}</h2></summary>
               <pre class="panel-body plan" tabIndex={0}>{draft.plan.value}</pre>
             </details>
           )}

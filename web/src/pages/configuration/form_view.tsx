@@ -34,7 +34,7 @@ export function FormView({ draft, may }: { draft: Draft; may: boolean }) {
         return (
           <details key={section.name} class="panel section" open={open || faults > 0 ? true : undefined}>
             <summary>
-              <h3>{section.name}</h3>
+              <h2>{section.name}</h2>
               {changed > 0 && <span class="soft small-text">{t("changedCount", { n: changed })}</span>}
               {faults > 0 && <span class="badge bad">{t("errors", { n: faults })}</span>}
             </summary>
