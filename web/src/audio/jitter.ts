@@ -5,9 +5,14 @@
 export const kTarget = 0.08;
 export const kTargetMost = 0.15;
 
-/** Seconds around the target within which nothing is done: samples are played as they came. */
-const kSlack = 0.04;
-/** Share by which playing is faster or slower until the target is met again: not heard as another pitch. */
+/** Seconds over which the least that waited is taken: more than that was never needed. */
+const kWindow = 1;
+/** Seconds by which that least may be above the target, or what share of the target it may fall to, before anything is done. */
+const kSlack = 0.03;
+const kLow = 0.4;
+/** An excess of this much (seconds) is left out at once. */
+const kCut = 0.06;
+/** Share by which playing is faster or slower for a smaller one: not heard as another pitch. */
 const kHaste = 0.004;
 /** Beyond the target by this much (seconds) the oldest sound is left out: it would come too late. */
 const kTooMuch = 0.25;
@@ -45,7 +50,10 @@ export class JitterBuffer {
   private tail: Float32Array = new Float32Array(0);
   private target = kTarget;
   private calm = 0;
-  private hasty = 0;
+  /** Samples that are still to be won (or, below 0, lost) by playing faster (slower). */
+  private owed = 0;
+  private least = Infinity;
+  private window = 0;
   private underruns = 0;
   private played = 0;
   private skipped = 0;
@@ -81,15 +89,18 @@ export class JitterBuffer {
     this.read = this.write = 0;
     this.next = -1;
     this.playing = this.ended = false;
-    this.gain = this.last = this.hasty = 0;
+    this.gain = this.last = 0;
+    this.watchAnew();
   }
 
   /** Fills `out` with what is to be heard now. */
   pull(out: Float32Array): void {
     const waiting = this.write - this.read;
     if (!this.playing && (waiting >= this.target * this.rate || (this.ended && waiting > 0))) this.begin();
-    const step = 1 + this.haste(waiting);
+    const step = 1 + Math.sign(this.owed) * kHaste;
     for (let k = 0; k < out.length; k++) out[k] = this.one(step) + this.leftOver();
+    this.repay(out.length);
+    this.watch(out.length);
     this.settle(out.length);
   }
 
@@ -106,10 +117,13 @@ export class JitterBuffer {
     };
   }
 
+  /** What piled up before the first sample is heard is left out, so that playing begins at the target. */
   private begin(): void {
+    const spare = this.write - this.read - Math.round(this.target * this.rate);
+    if (spare > 0 && !this.ended) this.skip(spare);
     this.playing = true;
     this.gain = 0;
-    this.hasty = 0;
+    this.watchAnew();
   }
 
   private one(step: number): number {
@@ -144,15 +158,44 @@ export class JitterBuffer {
     return b + 0.5 * f * (c - a + f * (2 * a - 5 * b + 4 * c - d + f * (3 * (b - c) + d - a)));
   }
 
-  /** Clocks differ: a little faster or slower, from the slack's end until the target is met. */
-  private haste(waiting: number): number {
-    const over = waiting / this.rate - this.target;
-    if (this.hasty === 0 && Math.abs(over) > kSlack && this.playing && !this.ended) this.hasty = Math.sign(over);
-    if (this.hasty !== 0 && this.hasty * over <= 0) {
-      this.hasty = 0;
-      this.read = Math.round(this.read);
+  private repay(count: number): void {
+    if (this.owed === 0) return;
+    const left = Math.abs(this.owed) - count * kHaste;
+    this.owed = left > 0 ? Math.sign(this.owed) * left : 0;
+    if (this.owed === 0) this.read = Math.round(this.read);
+  }
+
+  /** Clocks differ, and what came late comes all at once: once a second it is seen how much waits for nothing, or is wanting. */
+  private watch(count: number): void {
+    if (!this.playing || this.ended) return this.watchAnew();
+    this.least = Math.min(this.least, (this.write - this.read) / this.rate);
+    this.window += count;
+    if (this.window < kWindow * this.rate) return;
+    const over = this.least - this.target;
+    if (over > kCut) this.cut(Math.round(over * this.rate));
+    else if (over > kSlack) this.owed = over * this.rate;
+    else if (this.least < kLow * this.target) this.owed = (this.least - 0.5 * this.target) * this.rate;
+    this.least = Infinity;
+    this.window = 0;
+  }
+
+  private watchAnew(): void {
+    this.owed = 0;
+    this.least = Infinity;
+    this.window = 0;
+  }
+
+  /** Leaves samples out where they are played next; those before fade into those after. */
+  private cut(count: number): void {
+    const from = Math.floor(this.read);
+    this.read = from + count;
+    this.skipped += count;
+    for (let k = 0; k < this.fade; k++) {
+      const share = (k + 1) / (this.fade + 1);
+      const place = (this.read + k) % this.ring.length;
+      this.ring[place] = (1 - share) * this.at(from + k) + share * this.ring[place]!;
     }
-    return this.hasty * kHaste;
+    this.owed = 0;
   }
 
   /** After a minute without trouble less has to wait. */
@@ -192,5 +235,6 @@ export class JitterBuffer {
     this.read = Math.floor(this.read) + count;
     this.skipped += count;
     this.gain = 0;
+    this.watchAnew();
   }
 }

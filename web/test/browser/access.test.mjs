@@ -7,7 +7,7 @@ import { test } from "node:test";
 import { axeFaults, useStudio } from "../support/browser.mjs";
 import { FakeDaemon } from "../support/daemon.mjs";
 import { health, hello, meters, run } from "../support/fixtures.mjs";
-import { noise, voices } from "../support/scenes.mjs";
+import { noise, voices } from "../support/voices.mjs";
 
 const studio = useStudio();
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -39,18 +39,18 @@ for (const theme of ["light", "dark", "contrast"]) {
 
 test("the theme follows the system, and a key chooses another", async () => {
   const { page, done } = await open({ colorScheme: "dark" });
-  const theme = () => page.evaluate(() => document.documentElement.dataset.theme);
-  assert.equal(await theme(), "dark");
+  const becomes = (name) => page.waitForFunction((theme) => document.documentElement.dataset.theme === theme, name);
+  await becomes("dark");
   await page.emulateMedia({ colorScheme: "light" });
-  assert.equal(await theme(), "light");
+  await becomes("light");
   await page.emulateMedia({ contrast: "more" });
-  assert.equal(await theme(), "contrast");
+  await becomes("contrast");
   await page.emulateMedia({ contrast: "no-preference" });
   await page.keyboard.press("t");
   await page.keyboard.press("t");
-  assert.equal(await theme(), "dark");
+  await becomes("dark");
   await page.reload();
-  assert.equal(await theme(), "dark");
+  await becomes("dark");
   await done();
 });
 

@@ -57,6 +57,15 @@ export class FakeDaemon {
     return this.heard.filter((message) => message.method === method);
   }
 
+  /** Resolves with the parameters of the first command of `method`. */
+  async called(method) {
+    for (let tries = 0; this.calls(method).length === 0; tries++) {
+      if (tries > 200) throw new Error(`${method} was not called`);
+      await new Promise((resolve) => setTimeout(resolve, 25));
+    }
+    return this.calls(method)[0].params;
+  }
+
   get subscription() {
     return this.heard.findLast((message) => message.type === "subscribe");
   }

@@ -124,3 +124,25 @@ test("sound that would come too late is left out", () => {
   assert.ok(buffer.report().waiting < 0.35);
   assert.ok(buffer.report().skipped > 0);
 });
+
+test("what piled up before playing began is left out: it plays as it came, and no later than the target", () => {
+  const buffer = new JitterBuffer(kRate);
+  for (let k = 0; k < 25; k++) buffer.push(block(k * kBlock), k * kBlock);
+  const out = play(buffer, 1, (k) => buffer.push(block((25 + k) * kBlock), (25 + k) * kBlock));
+  assert.ok(Math.abs(buffer.report().waiting - kTarget) < 0.02, `${buffer.report().waiting}`);
+  const index = Math.round(buffer.report().index) - out.length;
+  for (let k = 200; k < out.length; k++) assert.equal(out[k], Math.fround(tone(index + k)));
+});
+
+test("what comes late and then all at once does not make everything late for long, and is cut without a click", () => {
+  const buffer = new JitterBuffer(kRate);
+  let sent = 0;
+  const out = play(buffer, 5, (k) => {
+    if (k >= 125 && k < 145) return;
+    for (; sent <= k; sent++) buffer.push(block(sent * kBlock), sent * kBlock);
+  });
+  const { underruns, waiting, target } = buffer.report();
+  assert.equal(underruns, 1);
+  assert.ok(waiting < target + 0.06, `${waiting} s wait, ${target} should`);
+  assert.ok(largestStep(out) < 0.25, `${largestStep(out)}`);
+});

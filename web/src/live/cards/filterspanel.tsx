@@ -52,7 +52,7 @@ function Slider({ label, value, from = 0, to, step, unit = "", change }: SliderP
   return (
     <label class="slider">
       <span>{label}</span>
-      <output class="figures">{text}</output>
+      <b class="figures" aria-hidden="true">{text}</b>
       <input type="range" min={from} max={to} step={step} value={value} aria-valuetext={text} onInput={(event) => change(Number(event.currentTarget.value))} />
     </label>
   );

@@ -9,7 +9,7 @@ import { Nothing } from "./nothing";
 export function CardsPanel() {
   const view = useView();
   const { store } = useStudio();
-  void [view.pulse.value, store.epoch.value];
+  void [view.pulse.value, store.epoch.value, store.link.value];
   // While the view is held, the pointer in the charts chooses the moment.
   if (view.paused.value) void view.cursor.value;
   const voices = voicesOf(view);
