@@ -46,8 +46,10 @@ if(NOT ODAS_CORE_ONLY)
   odas_install_pc(odas WHAT "all of it" REQUIRES "odas_core libconfig++ sndfile fmt${devices}" LIBS -pthread)
 endif()
 
-# Headers that name the libraries of the inside stay inside.
-foreach(room IN LISTS ODAS_ROOMS)
+# Headers that name the libraries of the inside stay inside; so does the Studio, which is a program's part.
+set(public_rooms ${ODAS_ROOMS})
+list(REMOVE_ITEM public_rooms studio)
+foreach(room IN LISTS public_rooms)
   install(DIRECTORY src/odas/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/odas
     FILES_MATCHING PATTERN "*.hpp" PATTERN "json_reader.hpp" EXCLUDE PATTERN "report" EXCLUDE)
 endforeach()

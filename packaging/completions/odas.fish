@@ -2,6 +2,7 @@
 # fish completion of odas, odaslive and odasserver
 complete -c odas -n __fish_use_subcommand -f -a run -d 'Process a recording'
 complete -c odas -n __fish_use_subcommand -f -a live -d 'Run a configuration as it stands'
+complete -c odas -n __fish_use_subcommand -f -a studio -d 'Serve a page that shows, records and configures'
 complete -c odas -n __fish_use_subcommand -f -a devices -d 'List microphones and what each offers'
 complete -c odas -n __fish_use_subcommand -f -a arrays -d 'List the arrays that are known by name'
 complete -c odas -n __fish_use_subcommand -f -a array -d 'Check the geometry of an array, and draw it'
@@ -18,6 +19,14 @@ complete -c odas -n '__fish_seen_subcommand_from live check array tune' -a "(oda
 complete -c odas -n '__fish_seen_subcommand_from run simulate' -s o -l out -r -a '(__fish_complete_directories)' -d 'Folder to write to'
 complete -c odas -n '__fish_seen_subcommand_from run' -l odas-files -d "ODAS's own formats, too"
 complete -c odas -n '__fish_seen_subcommand_from live' -s v -l verbose -d 'Say at the end what it has cost'
+complete -c odas -n '__fish_seen_subcommand_from live' -l studio -d 'Serve the Studio, too'
+complete -c odas -n '__fish_seen_subcommand_from studio' -s l -l listen -x -d 'ADDRESS:PORT'
+complete -c odas -n '__fish_seen_subcommand_from studio' -l token -x -d 'What a browser must say'
+complete -c odas -n '__fish_seen_subcommand_from studio' -l recordings -r -d 'Folder of recordings and sessions'
+complete -c odas -n '__fish_seen_subcommand_from studio' -l play -r -d 'Hear this recording'
+complete -c odas -n '__fish_seen_subcommand_from studio' -l loop -d 'Begin a recording anew when it ends'
+complete -c odas -n '__fish_seen_subcommand_from studio' -l no-qr -d 'Show no QR code'
+complete -c odas -n '__fish_seen_subcommand_from studio' -l any-port -d 'Take another port where this one is taken'
 complete -c odas -n '__fish_seen_subcommand_from devices' -f -a "(odas devices 2>/dev/null | string match -rg '^  (\S.*)')"
 complete -c odas -n '__fish_seen_subcommand_from devices' -l json -d 'Print a JSON array'
 complete -c odas -n '__fish_seen_subcommand_from arrays' -f -s p -l paths -d 'Where each file is'

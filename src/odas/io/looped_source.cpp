@@ -9,6 +9,7 @@ ReadResult LoopedSource::read(GridView<float> block) {
   ReadResult result;
   Grid<float> part(block.rows(), block.cols());
   bool is_empty = false;  // a recording without a frame would be opened for ever
+  bool is_fresh = false;  // opened just now
   while (result.frames < block.cols() && !is_empty) {
     const std::size_t room = block.cols() - result.frames;
     ReadResult read = recording_->read(GridView<float>(part.data(), part.rows(), room, part.cols()));
@@ -24,7 +25,8 @@ ReadResult LoopedSource::read(GridView<float> block) {
       return result;
     }
     if (!read.end) continue;
-    is_empty = result.frames == 0;
+    is_empty = is_fresh && read.frames == 0;
+    is_fresh = true;
     recording_ = open_();
   }
   result.end = is_empty;

@@ -6,8 +6,8 @@
 
 namespace odas {
 
-/// The commands that only look: `config.form`, `config.check`, `config.edit`, `arrays.*`, `array.check` and
-/// `devices.list`. `host`: what runs, to compare with.
+/// The commands that only look: `config.check`, `arrays.list` and `arrays.get`. `host`: what runs, to compare
+/// with.
 void add_config_methods(RpcRegistry& rpc, EngineHost& host);
 
 }  // namespace odas

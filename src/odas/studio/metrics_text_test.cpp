@@ -17,7 +17,8 @@ TEST(MetricsText, is_what_Prometheus_reads) {
   EXPECT_EQ(text.find("temperature"), std::string::npos);
   const std::regex line(R"((# (HELP|TYPE) [a-z_0-9]+ .+|[a-z_][a-z_0-9]* -?[0-9.e+-]+)\n)");
   std::size_t matched = 0;
-  for (std::sregex_iterator at(text.begin(), text.end(), line), end; at != end; ++at) matched += static_cast<std::size_t>(at->length());
+  for (std::sregex_iterator at(text.begin(), text.end(), line), end; at != end; ++at)
+    matched += static_cast<std::size_t>(at->length());
   EXPECT_EQ(matched, text.size());
 }
 

@@ -30,7 +30,7 @@ export function hello(fields = {}) {
   return {
     type: "hello", protocol: 1, server: "odas 0.4.0", role: "operator",
     capabilities: ["record", "sessions", "config", "engine", "targets", "power", "transcripts"],
-    recordings: "/home/me/odas-recordings", open_session: null, camera: null, run: run(), ...fields,
+    recordings: "/srv/odas/recordings", open_session: null, camera: null, run: run(), ...fields,
   };
 }
 

@@ -81,7 +81,7 @@ export function FirstRun({ onOpened = () => { location.hash = linkTo("live"); } 
             </div>
           )}
           <label class="menu-check"><input type="radio" name="source" checked={source === "file"} onChange={() => setSource("file")} /><span>{t("file")}</span></label>
-          {source === "file" && <input class="choice" type="text" value={path} placeholder="/home/me/room.wav" aria-label={t("filePath")} spellcheck={false} onInput={(event) => setPath(event.currentTarget.value)} />}
+          {source === "file" && <input class="choice" type="text" value={path} placeholder="/srv/room.wav" aria-label={t("filePath")} spellcheck={false} onInput={(event) => setPath(event.currentTarget.value)} />}
         </fieldset>
         <label class="stack">
           <span>{t("array")}</span>

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "odas/studio/run_figures.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace odas {
+namespace {
+
+TEST(RunFigures, are_those_of_this_process) {
+  EXPECT_GT(resident_bytes(), 1'000'000U);
+  const double before = process_cpu_seconds();
+  volatile double sum = 0;
+  while (process_cpu_seconds() <= before) sum = sum + 1;
+  EXPECT_GT(process_cpu_seconds(), before);
+}
+
+TEST(RunFigures, follow_the_run) {
+  HealthFigures figures;
+  EXPECT_GT(figures.read().at("rss_bytes").get<double>(), 0);
+  const auto run = std::make_shared<RunFigures>();
+  run->lost_records = 7;
+  figures.begin(run);
+  EXPECT_EQ(figures.read().at("lost_records"), 7);
+}
+
+}  // namespace
+}  // namespace odas
