@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
 #include "odas/io/hop_encoder.hpp"
 #include "odas/io/text_buffer.hpp"
 
@@ -7,10 +10,15 @@ namespace {
 
 constexpr Wanted kPotentials{.potentials = true, .tracks = false, .separated = false, .postfiltered = false};
 constexpr Wanted kTracks{.potentials = false, .tracks = true, .separated = false, .postfiltered = false};
+constexpr Wanted kTracksWithEnergy{
+    .potentials = true, .tracks = true, .separated = false, .postfiltered = false};
+/// How far a potential may be from the track whose energy it tells: about the error of a small array in a
+/// room.
+constexpr float kNear = 15;  // degrees
 constexpr std::size_t kUsualSize = 4096;
 constexpr std::size_t kFrameSize = 192;
 constexpr std::size_t kRowSize =
-    192 + 2 * TextBuffer::kIntegerSize + TextBuffer::quoted_size(63) + 6 * TextBuffer::kFixedSize;
+    192 + 2 * TextBuffer::kIntegerSize + TextBuffer::quoted_size(63) + 7 * TextBuffer::kFixedSize;
 
 /// `2025-01-31T12:00:00.125Z`: ISO 8601, universal time.
 void put_instant(TextBuffer& text, std::chrono::system_clock::time_point instant) {
@@ -112,24 +120,39 @@ void put_class(TextBuffer& text, Category category) {
   text.put(category == Category::speech ? "speech\"" : "nonspeech\"");
 }
 
-void put_track(TextBuffer& text, const Track& track) {
+/// E of the strongest potential near a track, 0 where none is.
+float energy_near(Vec3 direction, std::span<const Potential> potentials) {
+  static const float cosine = std::cos(radians(kNear));
+  float energy = 0;
+  for (const Potential& potential : potentials) {
+    if (dot(direction, potential.direction) >= cosine) energy = std::max(energy, potential.energy);
+  }
+  return energy;
+}
+
+void put_track(TextBuffer& text, const Track& track, std::span<const Potential> potentials) {
   text.put(",\"tag\":");
   text.put_quoted(track.tag.view());
   put_direction(text, track.direction);
   text.put(",\"activity\":");
   text.put_fixed(track.activity);
+  text.put(",\"E\":");
+  text.put_fixed(energy_near(track.direction, potentials));
   put_class(text, track.category);
 }
 
-void put_category(TextBuffer& text, const Track& track) { put_class(text, track.category); }
+void put_category(TextBuffer& text, const Track& track, std::span<const Potential>) {
+  put_class(text, track.category);
+}
 
 /// A row for each track that lives: its slot and id, and what `put` adds.
 class JsonLinesSlots : public HopEncoder {
  public:
-  using Put = void (*)(TextBuffer&, const Track&);
+  using Put = void (*)(TextBuffer&, const Track&, std::span<const Potential>);
 
-  JsonLinesSlots(const StreamClock& clock, Put put) : clock_(clock), put_(put) {}
-  [[nodiscard]] Wanted wanted() const noexcept override { return kTracks; }
+  JsonLinesSlots(const StreamClock& clock, const Wanted& wanted, Put put)
+      : clock_(clock), wanted_(wanted), put_(put) {}
+  [[nodiscard]] Wanted wanted() const noexcept override { return wanted_; }
   [[nodiscard]] std::span<const char> encode(const HopResult& hop) override {
     put_head(text_, hop.time, clock_);
     bool first = true;
@@ -139,7 +162,7 @@ class JsonLinesSlots : public HopEncoder {
       put_slot(text_, slot, first);
       text_.put(",\"id\":");
       text_.put_integer(track.id);
-      put_(text_, track);
+      put_(text_, track, hop.potentials);
       text_.put('}');
     }
     return finish(text_);
@@ -147,6 +170,7 @@ class JsonLinesSlots : public HopEncoder {
 
  private:
   StreamClock clock_;
+  Wanted wanted_;
   Put put_;
   TextBuffer text_{kUsualSize};
 };
@@ -157,11 +181,11 @@ std::unique_ptr<HopEncoder> make_json_lines_potentials(const StreamClock& clock)
   return std::make_unique<JsonLinesPotentials>(clock);
 }
 std::unique_ptr<HopEncoder> make_json_lines_tracks(const StreamClock& clock) {
-  return std::make_unique<JsonLinesSlots>(clock, put_track);
+  return std::make_unique<JsonLinesSlots>(clock, kTracksWithEnergy, put_track);
 }
 
 std::unique_ptr<HopEncoder> make_json_lines_categories(const StreamClock& clock) {
-  return std::make_unique<JsonLinesSlots>(clock, put_category);
+  return std::make_unique<JsonLinesSlots>(clock, kTracks, put_category);
 }
 
 }  // namespace odas

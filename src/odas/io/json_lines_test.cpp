@@ -26,10 +26,11 @@ TEST(JsonLines, of_tracks_is_one_line_with_angles_and_times_and_without_empty_sl
   test::HopOfHand hop;
   hop.tracks.resize(3);
   hop.tracks[1] = {7, "dynamic", {0, 1, 0}, 0.5F};
+  hop.potentials = {{{1, 0, 0}, 0.9F}, {direction_of(80, 0), 0.25F}, {direction_of(90, 10), 0.125F}};
   EXPECT_EQ(encoded(*make_json_lines_tracks(clock_of(1735689600s)), hop, 126),
             "{\"timeStamp\":126,\"time\":1.000000,\"utc\":\"2025-01-01T00:00:01.000Z\",\"src\":["
             "{\"slot\":1,\"id\":7,\"tag\":\"dynamic\",\"x\":0.000,\"y\":1.000,\"z\":0.000,"
-            "\"azimuth\":90.000,\"elevation\":0.000,\"activity\":0.500}]}\n");
+            "\"azimuth\":90.000,\"elevation\":0.000,\"activity\":0.500,\"E\":0.250}]}\n");
 }
 
 TEST(JsonLines, of_tracks_has_the_class_where_it_is_known) {
@@ -41,6 +42,15 @@ TEST(JsonLines, of_tracks_has_the_class_where_it_is_known) {
   const auto json = nlohmann::json::parse(encoded(*make_json_lines_tracks(clock_of(0s)), hop, 1));
   EXPECT_FALSE(json["src"][0].contains("class"));
   EXPECT_EQ(json["src"][1]["class"], "speech");
+}
+
+TEST(JsonLines, of_a_track_with_no_potential_near_it_has_no_energy) {
+  test::HopOfHand hop;
+  hop.tracks = {{7, "dynamic", {0, 1, 0}, 0.5F}};
+  hop.potentials = {{{1, 0, 0}, 0.9F}, {{0, 1, 0}, -0.25F}};
+  const auto encoder = make_json_lines_tracks(clock_of(0s));
+  EXPECT_TRUE(encoder->wanted().potentials);
+  EXPECT_EQ(nlohmann::json::parse(encoded(*encoder, hop, 1))["src"][0]["E"], 0.0);
 }
 
 TEST(JsonLines, of_categories_has_slot_id_and_class_of_those_who_live) {
@@ -80,7 +90,7 @@ TEST(JsonLines, numbers_that_are_not_counts_have_a_decimal_point) {
   hop.tracks = {{7, "", {1, 0, 0}, 1}};
   const auto json = nlohmann::json::parse(encoded(*make_json_lines_tracks(clock_of(0s)), hop, 1));
   EXPECT_TRUE(json["time"].is_number_float());
-  for (const char* key : {"x", "y", "z", "azimuth", "elevation", "activity"}) {
+  for (const char* key : {"x", "y", "z", "azimuth", "elevation", "activity", "E"}) {
     EXPECT_TRUE(json["src"][0][key].is_number_float()) << key;
   }
 }

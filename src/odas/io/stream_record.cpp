@@ -65,8 +65,8 @@ StreamRecord refused(std::string fault) {
 
 std::optional<StreamKind> kind_of(const json& row) {
   if (!row.is_object()) return std::nullopt;
+  if (row.contains("activity")) return StreamKind::tracks;  // it may have an E, too
   if (row.contains("E")) return StreamKind::potentials;
-  if (row.contains("activity")) return StreamKind::tracks;
   if (row.contains("category") || row.contains("class")) return StreamKind::categories;
   return std::nullopt;
 }

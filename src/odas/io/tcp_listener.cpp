@@ -38,24 +38,39 @@ void set_on(int socket, int level, int option) {
 
 TcpListener::TcpListener(const std::string& host, int port) {
   const std::string name = host.empty() ? "127.0.0.1" : host;
-  const NetAddresses addresses = look_up(name, port);
+  NetAddresses addresses = look_up(name, port);
   if (!addresses.fault.empty()) {
     throw IoError("cannot listen at " + host_and_port(name, port) + ": " + addresses.fault);
   }
-  const NetAddress& address = addresses.all.front();
-  socket_ = FileDescriptor(::socket(address.family(), SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-  if (socket_.open()) set_on(socket_.get(), SOL_SOCKET, SO_REUSEADDR);
-  if (!socket_.open() || ::bind(socket_.get(), address.get(), address.length) != 0 ||
-      ::listen(socket_.get(), kBacklog) != 0) {
-    const int number = errno;
+  // Of a name's addresses those of IPv4 first: who dials the name tries all, who dials a number means IPv4.
+  std::stable_partition(addresses.all.begin(), addresses.all.end(),
+                        [](const NetAddress& address) { return address.family() == AF_INET; });
+  int first_error = 0;
+  for (const NetAddress& address : addresses.all) {
+    const int error = listen_at(address);
+    if (error == 0) break;
+    if (first_error == 0) first_error = error;
+  }
+  if (!socket_.open()) {
     throw IoError("cannot listen at " + host_and_port(name, port) + ": " +
-                  std::generic_category().message(number) + advice(number));
+                  std::generic_category().message(first_error) + advice(first_error));
   }
   NetAddress bound;
   bound.length = sizeof bound.storage;
   ::getsockname(socket_.get(), reinterpret_cast<sockaddr*>(&bound.storage), &bound.length);
   port_ = bound.port();
   where_ = host_and_port(name, port_);
+}
+
+int TcpListener::listen_at(const NetAddress& address) {
+  FileDescriptor socket(::socket(address.family(), SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  if (socket.open()) set_on(socket.get(), SOL_SOCKET, SO_REUSEADDR);
+  if (!socket.open() || ::bind(socket.get(), address.get(), address.length) != 0 ||
+      ::listen(socket.get(), kBacklog) != 0) {
+    return errno;
+  }
+  socket_ = std::move(socket);
+  return 0;
 }
 
 std::optional<TcpClient> TcpListener::accept() {

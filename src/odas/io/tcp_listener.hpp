@@ -34,6 +34,9 @@ class TcpListener {
   [[nodiscard]] int descriptor() const noexcept { return socket_.get(); }
 
  private:
+  /// 0, or the errno of what failed.
+  int listen_at(const NetAddress& address);
+
   FileDescriptor socket_;
   int port_ = 0;
   std::string where_;

@@ -19,6 +19,15 @@ UdpWriter::UdpWriter(std::string host, int port, std::function<void(const std::s
   find_peer();
 }
 
+UdpWriter::UdpWriter(std::string host, std::vector<NetAddress> addresses,
+                     std::function<void(const std::string&)> say)
+    : host_(std::move(host)),
+      port_(addresses.front().port()),
+      say_(std::move(say)),
+      addresses_(std::move(addresses)) {
+  connect_first();
+}
+
 void UdpWriter::find_peer() {
   if (socket_.open()) return;
   if (!lookup_) {
@@ -27,13 +36,29 @@ void UdpWriter::find_peer() {
     next_lookup_ = now + kLookupPause;
     lookup_.emplace(host_, port_, SOCK_DGRAM);
   }
-  const std::optional<NetAddresses> answer = lookup_->poll();
+  std::optional<NetAddresses> answer = lookup_->poll();
   if (!answer) return;
   lookup_.reset();
   if (!answer->fault.empty()) return tell_once(answer->fault);
-  const NetAddress& peer = answer->all.front();
+  addresses_ = std::move(answer->all);
+  next_ = 0;
+  connect_first();
+}
+
+void UdpWriter::connect_first() {
+  for (std::size_t tried = 0; tried < addresses_.size() && !socket_.open(); ++tried) connect_next();
+}
+
+/// Of UDP this only says whether there is a way to him, and sends nothing.
+void UdpWriter::connect_next() {
+  const NetAddress& peer = addresses_[next_];
+  next_ = (next_ + 1) % addresses_.size();
   FileDescriptor socket(::socket(peer.family(), SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-  if (::connect(socket.get(), peer.get(), peer.length) == 0) socket_ = std::move(socket);
+  if (socket.open() && ::connect(socket.get(), peer.get(), peer.length) == 0) {
+    socket_ = std::move(socket);
+  } else if (const int error = errno; !socket_.open() && next_ == 0) {
+    tell_once(std::generic_category().message(error));
+  }
 }
 
 IoStatus UdpWriter::write(std::span<const char> record) {
@@ -44,8 +69,13 @@ IoStatus UdpWriter::write(std::span<const char> record) {
   }
   if (::send(socket_.get(), record.data(), record.size(), MSG_NOSIGNAL) >= 0) return {};
   ++lost_;
-  // Refused: the answer to an earlier datagram, that nobody listens now. It is no fault of the sender's.
-  if (errno != ECONNREFUSED) tell_once(std::generic_category().message(errno));
+  // Refused: the answer to an earlier datagram, that nobody listens now. It is no fault of the sender's;
+  // perhaps he listens at another of his addresses.
+  if (errno == ECONNREFUSED) {
+    if (addresses_.size() > 1) connect_next();
+  } else {
+    tell_once(std::generic_category().message(errno));
+  }
   return {};
 }
 

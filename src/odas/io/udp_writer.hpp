@@ -4,6 +4,8 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "odas/io/byte_writer.hpp"
 #include "odas/io/file_descriptor.hpp"
@@ -12,7 +14,8 @@
 namespace odas {
 
 /// Records as datagrams, one each: `type = "udp"`. Whether somebody hears them is not known; those that could
-/// not even be sent are lost, and counted.
+/// not even be sent are lost, and counted. Where a name has several addresses and one of them refuses, the
+/// next one is tried.
 class UdpWriter : public ByteWriter {
  public:
   /// The most that a datagram holds (IPv4).
@@ -20,6 +23,8 @@ class UdpWriter : public ByteWriter {
 
   /// `say` is told once why datagrams cannot be sent. May be empty.
   UdpWriter(std::string host, int port, std::function<void(const std::string&)> say);
+  /// To a peer whose addresses are known already.
+  UdpWriter(std::string host, std::vector<NetAddress> addresses, std::function<void(const std::string&)> say);
 
   [[nodiscard]] std::string where() const override { return "udp " + host_and_port(host_, port_); }
   IoStatus write(std::span<const char> record) override;
@@ -29,6 +34,8 @@ class UdpWriter : public ByteWriter {
 
  private:
   void find_peer();
+  void connect_first();
+  void connect_next();
   void tell_once(const std::string& why);
 
   std::string host_;
@@ -36,7 +43,9 @@ class UdpWriter : public ByteWriter {
   std::function<void(const std::string&)> say_;
   std::optional<NameLookup> lookup_;
   std::chrono::steady_clock::time_point next_lookup_{};
-  FileDescriptor socket_;  // connected to the peer, once his address is known
+  std::vector<NetAddress> addresses_;  // of the peer, once they are known
+  std::size_t next_ = 0;               // which of them is tried next
+  FileDescriptor socket_;              // connected to one of them
   std::uint64_t lost_ = 0;
   bool told_ = false;
 };
