@@ -130,11 +130,14 @@ std::string misfit(const std::string& device, const RawConfig& raw, const Captur
 
 std::string propose_raw(const CaptureOffer& offer, const std::string& interface) {
   const SampleFormat best = offer.formats.empty() ? SampleFormat::s16 : offer.formats.front();
-  // A plug-in that converts offers any number: what it has behind it, nobody can tell.
-  const bool any = offer.max_channels > 64;
+  // A plug-in that converts (the way to PulseAudio or PipeWire is one) offers any number, at rates that no
+  // card has: what is behind it, nobody can tell.
+  constexpr int kMostChannels = 64, kLeastRate = 1000;
+  const bool any = offer.max_channels > kMostChannels || offer.min_rate < kLeastRate;
   return "raw: {\n  fS = " + std::to_string(nearest_rate(offer, 16000)) + ";\n  " + format_line(best) +
          "\n  nChannels = " + std::to_string(any ? offer.min_channels : offer.max_channels) +
-         ";\n  interface: { " + interface + " };\n};\n";
+         (any ? ";  # as many as the microphone behind it has" : ";") + "\n  interface: { " + interface +
+         " };\n};\n";
 }
 
 }  // namespace odas

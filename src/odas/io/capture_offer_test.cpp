@@ -67,6 +67,18 @@ TEST(CaptureOffer, proposes_a_section_that_fits_it) {
             "};\n");
 }
 
+TEST(CaptureOffer, proposes_no_number_of_channels_for_a_plug_in_that_takes_any) {
+  CaptureOffer pulse = kEight;
+  pulse.channels.clear();
+  pulse.min_channels = 1;
+  pulse.max_channels = 32;
+  pulse.min_rate = 1;
+  pulse.max_rate = 384000;
+  const std::string raw = propose_raw(pulse, "type = \"soundcard_name\"; devicename = \"pulse\";");
+  EXPECT_NE(raw.find("nChannels = 1;  # as many as the microphone behind it has\n"), std::string::npos)
+      << raw;
+}
+
 TEST(CaptureOffer, tells_of_formats_that_odas_cannot_read) {
   CaptureOffer offer = kEight;
   offer.formats.clear();

@@ -73,7 +73,7 @@ TEST(StreamRecord, reads_categories_by_slot_and_the_class_of_a_track) {
   EXPECT_EQ(record.tracks[1].category, Category::speech);
   EXPECT_EQ(record.tracks[2].category, Category::undefined);
   const StreamRecord track = read_stream_record(
-      R"({"timeStamp":1,"src":[{"id":1,"activity":1.0,"class":"speech"}]})", StreamKind::tracks);
+      R"({"timeStamp":1,"src":[{"id":1,"activity":1.0,"E":0.5,"class":"speech"}]})", StreamKind::tracks);
   EXPECT_EQ(track.tracks.at(0).category, Category::speech);
 }
 
