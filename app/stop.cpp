@@ -18,6 +18,10 @@ const std::atomic<bool>& stop_on_signals() {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  // The terminal is closed, or the connection to it lost. Under nohup it is ignored, and stays so.
+  struct sigaction now {};
+  sigaction(SIGHUP, nullptr, &now);
+  if (now.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
   return stop_asked;
 }
 

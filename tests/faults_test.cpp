@@ -172,21 +172,30 @@ TEST(Faults, what_was_written_before_the_disk_was_full_is_whole) {
             kWavHeaderSize + static_cast<unsigned>(wav.frames()) * 8);
 }
 
-TEST(Faults, ctrl_c_finishes_the_files) {
+/// Ends a run that would never end by a signal.
+void expect_finished_files(int signal) {
   SmallRun run;
   use_json_lines(run);
   run.source = R"(type = "file"; path = "/dev/urandom";)";  // never ends
   test::ProgramOptions options;
+  options.interruption = signal;
   options.interrupt_when = [&] {
     std::error_code ignored;
     return std::filesystem::file_size(run.file("tracks.jsonl"), ignored) > 1000 && !ignored;
   };
   const auto result = run.odas_live({}, options);
-  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.exit_code, 0) << "signal " << signal << ": " << result.err;
   const int hops = whole_lines(run.text("tracks.jsonl"));
   EXPECT_GT(hops, 10);
   EXPECT_EQ(whole_lines(run.text("pots.jsonl")), hops);
   EXPECT_EQ(SndfileHandle(run.file("separated.wav").string()).frames(), 128 * hops);
+}
+
+TEST(Faults, ctrl_c_finishes_the_files) { expect_finished_files(SIGINT); }
+
+TEST(Faults, a_service_that_is_stopped_and_a_terminal_that_is_closed_leave_finished_files) {
+  expect_finished_files(SIGTERM);
+  expect_finished_files(SIGHUP);
 }
 
 TEST(Faults, a_reader_of_stdout_that_goes_away_is_said) {

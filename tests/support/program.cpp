@@ -51,6 +51,7 @@ Channel make_terminal() {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
+  std::signal(SIGHUP, SIG_DFL);  // as from a terminal, also where the tests run under nohup
   execv(arguments[0], arguments.data());
   _exit(127);
 }
@@ -87,7 +88,7 @@ ProgramRun run_program(const std::vector<std::string>& command, const ProgramOpt
       if (i == 1 && options.hear) options.hear(run.err);
     }
     if (options.interrupt_when && !interrupted && options.interrupt_when()) {
-      kill(child, SIGINT);
+      kill(child, options.interruption);
       interrupted = true;
     }
     if (std::chrono::steady_clock::now() > deadline) kill(child, SIGKILL);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -25,7 +26,8 @@ struct ProgramOptions {
   std::filesystem::path working_directory{};    // empty: ours
   std::optional<std::uint64_t> largest_file{};  // bytes; a write beyond fails, as on a full disk
   bool terminal = false;                        // stderr is a terminal
-  std::function<bool()> interrupt_when{};       // asked every few ms; SIGINT (Ctrl-C) is sent once it is true
+  std::function<bool()> interrupt_when{};       // asked every few ms; once it is true the signal is sent:
+  int interruption = SIGINT;                    // Ctrl-C
   /// "NAME=value", beside those of the test.
   std::vector<std::string> environment{};
   std::filesystem::path input{};                       // its standard input; empty: nothing
