@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "odas/base/contract.hpp"
 #include "odas/base/error.hpp"
 #include "odas/io/pcm.hpp"
 
@@ -96,6 +97,14 @@ std::optional<std::size_t> VoiceRecorder::voice_of(std::size_t slot) const noexc
 bool VoiceRecorder::is_open(std::size_t voice) const noexcept {
   return std::any_of(open_.begin(), open_.end(),
                      [&](const Open& open) { return open.wav && open.voice == voice; });
+}
+
+void VoiceRecorder::forget(std::size_t voice) {
+  ODAS_EXPECT(format_.file_name && voice < voices_.size() && !is_open(voice));
+  voices_.erase(voices_.begin() + static_cast<std::ptrdiff_t>(voice));
+  for (Open& open : open_) {
+    if (open.wav && open.voice > voice) --open.voice;
+  }
 }
 
 IoStatus VoiceRecorder::flush() {

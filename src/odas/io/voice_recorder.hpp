@@ -53,6 +53,10 @@ class VoiceRecorder {
   /// Finishes all files, also after a failure.
   IoStatus close();
 
+  /// Takes a finished voice out of `voices`, those behind it move up: a run that never ends must not grow
+  /// with what it has heard. Only where voices have names of their own.
+  void forget(std::size_t voice);
+
   /// In order of appearance.
   [[nodiscard]] const std::vector<Voice>& voices() const noexcept { return voices_; }
   /// The one that a slot is adding to, an index of `voices`; none: the slot is empty.

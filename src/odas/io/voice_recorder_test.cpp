@@ -88,6 +88,27 @@ TEST_F(VoiceRecorderTest, parts_two_sources_that_follow_each_other_in_one_slot) 
   EXPECT_EQ(samples("source_2.wav").size(), kHop);
 }
 
+TEST_F(VoiceRecorderTest, can_forget_finished_voices_while_others_go_on) {
+  VoiceRecorder::Format format = kFormat;
+  format.file_name = [](std::uint64_t id, double) { return "voice_" + std::to_string(id) + ".wav"; };
+  VoiceRecorder recorder(folder_, format);
+  const Grid<float> audio(2, kHop);
+  std::array<Track, 2> tracks;
+  tracks[0].id = 1;
+  tracks[1].id = 2;
+  ASSERT_TRUE(recorder.add(1, tracks, audio).ok());
+  tracks[0].id = 0;
+  ASSERT_TRUE(recorder.add(2, tracks, audio).ok());
+  recorder.forget(0);
+  ASSERT_EQ(recorder.voices().size(), 1U);
+  EXPECT_EQ(recorder.voices()[0].id, 2U);
+  EXPECT_EQ(recorder.voice_of(1), 0U);
+  ASSERT_TRUE(recorder.add(3, tracks, audio).ok());
+  ASSERT_TRUE(recorder.close().ok());
+  EXPECT_EQ(samples("voice_2.wav").size(), 3 * kHop);
+  EXPECT_EQ(samples("voice_1.wav").size(), kHop);
+}
+
 TEST_F(VoiceRecorderTest, removes_the_voices_of_an_earlier_run_and_nothing_else) {
   fs::create_directories(folder_);
   for (const char* name : {"source_99.wav", "index.json", "source_mine.wav", "notes.txt", "source_.wav"}) {

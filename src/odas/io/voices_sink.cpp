@@ -32,6 +32,12 @@ VoiceRecorder::Format format_of(const PipelineConfig& config, float gain, system
   return format;
 }
 
+std::string iso_time(system_clock::time_point instant) {
+  const auto ms = std::chrono::floor<std::chrono::milliseconds>(instant);
+  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime(system_clock::to_time_t(ms)),
+                     (ms.time_since_epoch() % std::chrono::seconds(1)).count());
+}
+
 double rounded(double value) { return std::round(value * 1000) / 1000; }
 
 }  // namespace
@@ -96,14 +102,20 @@ IoStatus VoicesSink::close() {
 }
 
 IoStatus VoicesSink::tell_stories() {
-  for (std::size_t v = 0; v < stories_.size(); ++v) {
+  for (std::size_t v = 0; v < stories_.size();) {
     Story& story = stories_[v];
     const bool goes_on = recorder_.is_open(v);
-    if (goes_on && story.way.size() < story.due) continue;
-    if (IoStatus status = tell(recorder_.voices()[v], story); !status.ok()) return status;
-    // The longer the way, the rarer it is written; when its talker has gone, nothing is added any more.
-    story.due = story.way.size() + std::max<std::size_t>(10, story.way.size() / 4);
-    if (!goes_on) story.way = {};
+    if (!goes_on || story.way.size() >= story.due) {
+      if (IoStatus status = tell(recorder_.voices()[v], story); !status.ok()) return status;
+      // The longer the way, the rarer it is written.
+      story.due = story.way.size() + std::max<std::size_t>(10, story.way.size() / 4);
+    }
+    if (goes_on) {
+      ++v;
+    } else {
+      recorder_.forget(v);
+      stories_.erase(stories_.begin() + static_cast<std::ptrdiff_t>(v));
+    }
   }
   return {};
 }
@@ -117,14 +129,13 @@ IoStatus VoicesSink::tell(const Voice& voice, Story& story) const {
     way.push_back({rounded(time), rounded(static_cast<double>(azimuth_deg(direction))),
                    rounded(static_cast<double>(elevation_deg(direction)))});
   }
-  const auto begin = at(start_, voice.start_s);
   const nlohmann::ordered_json content{
       {"id", voice.id},
       {"tag", story.tag},
       {"file", voice.file},
       {"fS", sample_rate_},
       {"start", rounded(voice.start_s)},
-      {"utc", fmt::format("{:%Y-%m-%dT%H:%M:%S}Z", fmt::gmtime(system_clock::to_time_t(begin)))},
+      {"utc", iso_time(at(start_, voice.start_s))},
       {"seconds", rounded(voice.seconds)},
       {"azimuth", rounded(static_cast<double>(azimuth_deg(sum)))},
       {"elevation", rounded(static_cast<double>(elevation_deg(sum)))},

@@ -2,6 +2,8 @@
 #include "odas/io/voices_sink.hpp"
 
 #include <set>
+#include <string>
+#include <tuple>
 
 #include "support/fake_io.hpp"
 #include "support/scratch.hpp"
@@ -68,7 +70,7 @@ TEST(VoicesSink, writes_a_wav_and_its_story_for_each_voice) {
   EXPECT_EQ(story["tag"], "door");
   EXPECT_EQ(story["fS"], 16000);
   EXPECT_EQ(story["start"], 0.0);
-  EXPECT_EQ(story["utc"], "2025-01-31T12:00:00Z");
+  EXPECT_EQ(story["utc"], "2025-01-31T12:00:00.000Z");
   EXPECT_EQ(story["seconds"], 0.2);
   EXPECT_EQ(story["azimuth"], 90.0);
   EXPECT_EQ(story["directions"].size(), 3U) << "ten a second";
@@ -96,6 +98,31 @@ TEST(VoicesSink, one_who_comes_back_gets_another_file_and_nothing_is_overwritten
     EXPECT_TRUE(sink.close().ok());
   }
   EXPECT_EQ(names_in(scratch / "voices").size(), 8U) << "two runs, two files, two stories";
+}
+
+TEST(VoicesSink, keeps_stories_apart_when_it_is_brought_up_to_date_between_voices) {
+  const test::Scratch scratch;
+  VoicesSink sink(scratch / "voices", AudioSink::Stream::separated, config_without_delay(), 1, kStart);
+  const auto hops = [&](std::uint64_t first, std::uint64_t second, HopIndex from, HopIndex to) {
+    for (HopIndex hop = from; hop <= to; ++hop)
+      EXPECT_TRUE(sink.write(Hop(first, second, 0.1F).result(hop)).ok());
+    EXPECT_TRUE(sink.flush().ok());
+  };
+  hops(1, 2, 1, 10);
+  hops(3, 2, 11, 20);  // 1 has gone, 2 goes on
+  hops(3, 0, 21, 30);
+  hops(4, 5, 31, 40);
+  EXPECT_TRUE(sink.close().ok());
+  for (const auto& [file, id, seconds] : {std::tuple{"000Z_source_1", 1, 0.08},
+                                          {"000Z_source_2", 2, 0.16},
+                                          {"080Z_source_3", 3, 0.16},
+                                          {"240Z_source_4", 4, 0.08},
+                                          {"240Z_source_5", 5, 0.08}}) {
+    const auto story = json_in(scratch / "voices" / (std::string("20250131T120000.") + file + ".json"));
+    EXPECT_EQ(story["id"], id);
+    EXPECT_EQ(story["seconds"], seconds) << file;
+    EXPECT_EQ(story["tag"], id == 2 || id == 5 ? "door" : "dynamic") << file;
+  }
 }
 
 TEST(VoicesSink, what_is_there_after_a_flush_is_whole) {
