@@ -80,9 +80,10 @@ void add_studio(CLI::App& app) {
                    "Hear this recording, as fast as it was made, in place of raw.interface")
       ->type_name("FILE");
   command->add_flag("--loop", arguments->loop, "Begin a recording anew when it ends");
-  CLI::Option* odas = command->add_flag("--odas", arguments->odas,
-                                        "Show a running odaslive of ODAS: listen where it dials. ARRAY is then "
-                                        "its configuration");
+  CLI::Option* odas =
+      command->add_flag("--odas", arguments->odas,
+                        "Show a running odaslive of ODAS: listen where it dials. ARRAY is then "
+                        "its configuration");
   odas->excludes("--play")->excludes("--loop");
   command->add_flag("--no-qr", arguments->no_qr, "Show no QR code of the link");
   command->add_flag("--any-port", arguments->any_port, "Take another port where this one is taken");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A Studio among many, sleepers and ill-wishers: the engine does not notice, memory is bounded, and who is well
-// loses nothing. `make soak` runs it for two minutes.
+// A Studio among many, sleepers and ill-wishers: the engine does not notice, memory is bounded, and who is
+// well loses nothing. `make soak` runs it for two minutes.
 #include <deque>
 #include <random>
 
@@ -26,9 +26,15 @@ class Crowd : public testing::Test {
  protected:
   static std::vector<std::string> command(const Scratch& scratch) {
     const std::string tree = ODAS_SOURCE_DIR;
-    return {"studio",   tree + "/configs/sample.cfg", "--play",       tree + "/samples/sample_4mic.flac",
-            "--loop",   "--recordings",               scratch.folder().string(),
-            "--listen", "127.0.0.1:0"};
+    return {"studio",
+            tree + "/configs/sample.cfg",
+            "--play",
+            tree + "/samples/sample_4mic.flac",
+            "--loop",
+            "--recordings",
+            scratch.folder().string(),
+            "--listen",
+            "127.0.0.1:0"};
   }
   void SetUp() override { ASSERT_NE(daemon.port(), 0) << daemon.said(); }
   [[nodiscard]] double figure(const char* name) const {
@@ -117,7 +123,8 @@ TEST_F(Crowd, of_fifty_half_of_them_stalled_or_killed_harms_nobody) {
   // The ring of hops that all share, and of each client what is on its way to him.
   EXPECT_LT(most - before, static_cast<double>(HopRing::kRoom + 50 * kMegabyte));
   fmt::print(
-      "{} s, 25 healthy clients with {} hops each or more, {} lost; {} others stalled and killed; memory {:.1f} "
+      "{} s, 25 healthy clients with {} hops each or more, {} lost; {} others stalled and killed; memory "
+      "{:.1f} "
       "MB before, {:.1f} MB at most; hop p99 {:.0f} us before, {:.0f} us with them\n",
       duration.count(), fewest, lost, killed, before / 1e6, most / 1e6, 1e6 * p99_before,
       1e6 * figure("odas_hop_seconds_p99"));
@@ -197,7 +204,8 @@ TEST_F(Crowd, of_nonsense_is_refused_and_said_once) {
   await_hops(20);
   const std::string said = daemon.said();
   std::size_t times = 0;
-  for (std::size_t at = 0; (at = said.find("requests of other pages", at)) != std::string::npos; ++at) ++times;
+  for (std::size_t at = 0; (at = said.find("requests of other pages", at)) != std::string::npos; ++at)
+    ++times;
   EXPECT_EQ(times, 1U) << said;
   EXPECT_EQ(figure("odas_dropped_hops_total"), 0);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The Studio as a user starts it: what it says, who may come in, what it tells whom, and the examples of the docs.
+// The Studio as a user starts it: what it says, who may come in, what it tells whom, and the examples of the
+// docs.
 #include <atomic>
 #include <thread>
 
@@ -21,8 +22,8 @@ std::string in_tree(const std::string& path) { return std::string(ODAS_SOURCE_DI
 /// The sample recording, over and over at its real pace: what `make demo` serves.
 std::vector<std::string> demo(const Scratch& scratch, const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments{
-      "studio", in_tree("configs/sample.cfg"),     "--play",       in_tree("samples/sample_4mic.flac"),
-      "--loop", "--recordings",                    scratch.folder().string()};
+      "studio",       in_tree("configs/sample.cfg"), "--play", in_tree("samples/sample_4mic.flac"), "--loop",
+      "--recordings", scratch.folder().string()};
   if (std::find(more.begin(), more.end(), "--listen") == more.end()) {
     arguments.insert(arguments.end(), {"--listen", "127.0.0.1:0"});
   }
@@ -68,8 +69,8 @@ TEST(StudioProgram, tells_health_and_metrics_and_how_it_ends) {
   StudioDaemon daemon(demo(scratch));
   ASSERT_NE(daemon.port(), 0) << daemon.said();
   EXPECT_EQ(http_get(daemon.port(), "/healthz").status, 200);
-  ASSERT_TRUE(eventually(
-      [&] { return metric(http_get(daemon.port(), "/metrics").body, "odas_hops_total") > 20; }));
+  ASSERT_TRUE(
+      eventually([&] { return metric(http_get(daemon.port(), "/metrics").body, "odas_hops_total") > 20; }));
   const std::string metrics = http_get(daemon.port(), "/metrics").body;
   for (const char* name : {"odas_hop_seconds_p99", "odas_real_time_share", "odas_resident_memory_bytes"}) {
     EXPECT_GT(metric(metrics, name), 0) << name;
@@ -108,16 +109,17 @@ TEST(StudioProgram, speaks_tls_with_the_files_that_it_is_given) {
   const Scratch scratch;
   const std::string key = (scratch / "key.pem").string(), certificate = (scratch / "cert.pem").string();
   const ProgramRun made =
-      run_program({"/usr/bin/openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-keyout", key, "-out",
-                   certificate, "-days", "1", "-subj", "/CN=localhost"});
+      run_program({"/usr/bin/openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-keyout", key,
+                   "-out", certificate, "-days", "1", "-subj", "/CN=localhost"});
   if (made.exit_code == 127) GTEST_SKIP() << "no openssl here";
   ASSERT_EQ(made.exit_code, 0) << made.err;
   write_file(scratch / "tls.cfg",
              content(in_tree("configs/sample.cfg")) +
                  fmt::format("\nstudio: {{ certificate = \"{}\"; key = \"{}\"; }};\n", certificate, key));
   std::filesystem::copy(in_tree("configs/common"), scratch / "common");
-  StudioDaemon daemon({"studio", (scratch / "tls.cfg").string(), "--play", in_tree("samples/sample_4mic.flac"),
-                       "--listen", "127.0.0.1:0", "--recordings", scratch.folder().string()});
+  StudioDaemon daemon({"studio", (scratch / "tls.cfg").string(), "--play",
+                       in_tree("samples/sample_4mic.flac"), "--listen", "127.0.0.1:0", "--recordings",
+                       scratch.folder().string()});
   ASSERT_NE(daemon.port(), 0) << daemon.said();
   EXPECT_TRUE(daemon.url().starts_with("https://")) << daemon.url();
   write_file(scratch / "request", fmt::format("GET /healthz HTTP/1.1\r\nHost: localhost:{}\r\n"
@@ -136,12 +138,14 @@ TEST(StudioProgram, speaks_tls_with_the_files_that_it_is_given) {
 TEST(StudioProgram, tells_an_address_of_the_users_who_comes_and_has_a_program_write_down_what_is_said) {
   const Scratch scratch;
   const NetListener web;
-  write_file(scratch / "told.cfg",
-             content(in_tree("configs/sample.cfg")) +
-                 fmt::format("\nstudio: {{ events: {{ url = \"http://127.0.0.1:{}/told\"; }};\n"
-                             "  speech: {{ command = \"head -c 16000 >/dev/null; echo "
-                             "'{{\\\"text\\\":\\\"good morning\\\",\\\"final\\\":true}}'; cat >/dev/null\"; }}; }};\n",
-                             web.port()));
+  write_file(
+      scratch / "told.cfg",
+      content(in_tree("configs/sample.cfg")) +
+          fmt::format(
+              "\nstudio: {{ events: {{ url = \"http://127.0.0.1:{}/told\"; }};\n"
+              "  speech: {{ command = \"head -c 16000 >/dev/null; echo "
+              "'{{\\\"text\\\":\\\"good morning\\\",\\\"final\\\":true}}'; cat >/dev/null\"; }}; }};\n",
+              web.port()));
   std::filesystem::copy(in_tree("configs/common"), scratch / "common");
   StudioDaemon daemon({"studio", (scratch / "told.cfg").string(), "--play",
                        in_tree("samples/sample_4mic.flac"), "--listen", "127.0.0.1:0", "--recordings",
@@ -186,7 +190,8 @@ TEST(StudioProgram, shows_a_running_odaslive_of_odas) {
   std::vector<std::int16_t> sound(16000U * 4U * 4U);
   sample.readf(sound.data(), 64000);
   {
-    SndfileHandle wav((scratch / "sample.wav").string(), SFM_WRITE, SF_FORMAT_WAV | SF_FORMAT_PCM_16, 4, 16000);
+    SndfileHandle wav((scratch / "sample.wav").string(), SFM_WRITE, SF_FORMAT_WAV | SF_FORMAT_PCM_16, 4,
+                      16000);
     wav.writef(sound.data(), 64000);
   }
   StudioDaemon daemon({"studio", "--odas", (scratch / "odas.cfg").string(), "--listen", "127.0.0.1:0",
@@ -211,7 +216,8 @@ void expect_it_hears(const std::vector<std::string>& command, const Scratch& scr
   there.working_directory = scratch.folder();
   const ProgramRun client = run_program(command, there);
   if (client.exit_code == 127) GTEST_SKIP() << command[1] << " is not here";
-  if (client.err.find("bad option") != std::string::npos || client.err.find("WebSocket is not defined") != std::string::npos) {
+  if (client.err.find("bad option") != std::string::npos ||
+      client.err.find("WebSocket is not defined") != std::string::npos) {
     GTEST_SKIP() << "this Node has no WebSocket";
   }
   EXPECT_EQ(client.exit_code, 0) << client.err;
@@ -226,8 +232,8 @@ void expect_it_hears(const std::vector<std::string>& command, const Scratch& scr
 TEST(StudioExamples, the_client_in_python_hears) {
   const Scratch scratch, kept;
   StudioDaemon daemon(demo(scratch));
-  expect_it_hears(
-      {"/usr/bin/env", "python3", in_tree("docs/examples/studio_client.py"), daemon.url(), "5"}, kept);
+  expect_it_hears({"/usr/bin/env", "python3", in_tree("docs/examples/studio_client.py"), daemon.url(), "5"},
+                  kept);
 }
 
 TEST(StudioExamples, the_client_in_javascript_hears) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Voices by the Studio's protocol: the same samples as the engine's own files, and each under its own id, whoever
-// comes, goes and comes again.
+// Voices by the Studio's protocol: the same samples as the engine's own files, and each under its own id,
+// whoever comes, goes and comes again.
 #include <cstring>
 #include <map>
 #include <set>

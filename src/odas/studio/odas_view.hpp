@@ -22,8 +22,8 @@ struct OdasSender {
 /// As its own configuration says: rates, hop, channels, bits, microphones, and the ports that it dials.
 [[nodiscard]] OdasSender odas_sender(const Configuration& config, std::string name);
 
-/// Shows a running `odaslive` in place of an engine of our own: its hops go to all listeners, and whether it is
-/// there is told as the state of the engine. There is nothing of it that could be changed from here.
+/// Shows a running `odaslive` in place of an engine of our own: its hops go to all listeners, and whether it
+/// is there is told as the state of the engine. There is nothing of it that could be changed from here.
 class OdasView final : public HopListener {
  public:
   /// Listens at once. `listeners`, `to` and `log` outlive it. Throws as OdasIntake.

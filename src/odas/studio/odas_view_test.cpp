@@ -53,7 +53,8 @@ TEST(OdasView, shows_who_comes_with_the_microphones_that_are_known_and_says_when
   test::NetPeer odas = test::NetPeer::dial(view.intake().port("tracked"));
   for (int t = 1; t <= 3; ++t) {
     odas.send("{\n    \"timeStamp\": " + std::to_string(t) +
-              ",\n    \"src\": [\n        { \"id\": 5, \"tag\": \"dynamic\", \"x\": 1.000, \"y\": 0.000, \"z\": 0.000, "
+              ",\n    \"src\": [\n        { \"id\": 5, \"tag\": \"dynamic\", \"x\": 1.000, \"y\": 0.000, "
+              "\"z\": 0.000, "
               "\"activity\": 0.900 }\n    ]\n}\n");
   }
   odas.close();

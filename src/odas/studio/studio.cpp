@@ -122,7 +122,8 @@ class Studio::Body {
 
   [[nodiscard]] const StudioServer& server() const { return *server_; }
   [[nodiscard]] EngineHost::Status status() const { return host_.status(); }
-  /// One that others can go to: an address, where all are listened at, for names are not known to every phone.
+  /// One that others can go to: an address, where all are listened at, for names are not known to every
+  /// phone.
   [[nodiscard]] std::string url() const {
     std::string url = server_->url();
     const std::string own = own_address(), &ip = options_.config.ip;
