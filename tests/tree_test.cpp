@@ -26,7 +26,10 @@ std::string read(const fs::path& file) {
   return text.str();
 }
 
-/// All files that are the project's own: no builds, no results, nothing of git.
+/// What has no words in it: any letters may stand in it by chance.
+bool is_binary(const fs::path& file) { return file.extension() == ".flac" || file.extension() == ".png"; }
+
+/// All text files that are the project's own: no builds, no results, nothing of git.
 const Files& tree() {
   static const Files files = [] {
     Files found;
@@ -39,7 +42,7 @@ const Files& tree() {
       const bool made = path == "web/dist" || path == "web/node_modules" || path == "web/.test";
       if ((foreign && entry.depth() == 0) || made) {
         entry.disable_recursion_pending();
-      } else if (entry->is_regular_file() && entry->path().extension() != ".flac") {
+      } else if (entry->is_regular_file() && !is_binary(entry->path())) {
         found[path] = read(entry->path());
       }
     }
