@@ -25,6 +25,9 @@ def connect(port, wish):
     peer = socket.create_connection(("127.0.0.1", port))
     peer.sendall((f"GET /api/v1/live HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
                   "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n").encode())
+    head = b""
+    while b"\r\n\r\n" not in head:
+        head += peer.recv(1)
     data = json.dumps(wish).encode()
     peer.sendall(b"\x81\xfe" + len(data).to_bytes(2, "big") + bytes(4) + data)
     return peer

@@ -58,6 +58,8 @@ soak() {
   cmake --preset release -DODAS_BUILD_TESTS=ON >/dev/null
   cmake --build build
   ODAS_SOAK=1 run_ctest build -L soak
+  export ODAS_SOAK=1
+  web sound
 }
 
 check() {
@@ -67,11 +69,11 @@ check() {
   run_ctest build
 }
 
-# Of the programs it needs a build that is there: `check`, or `make`.
+# Of the programs it needs a build that is there: `check`, or `make`. With words: only such test files.
 web() {
   step "the Studio's page: types, units, its bundle, and all of it in chromium"
   local status=0
-  scripts/test_web.sh || status=$?
+  scripts/test_web.sh "$@" || status=$?
   if ((status == 77)); then step "SKIPPED: the page, for the reason above"; return 0; fi
   return "$status"
 }

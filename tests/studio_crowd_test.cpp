@@ -22,6 +22,19 @@ using std::chrono::seconds;
 
 constexpr std::size_t kMegabyte = 1'000'000;
 
+// A sanitizer keeps what was freed.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kMemoryIsOurs = false;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+constexpr bool kMemoryIsOurs = false;
+#else
+constexpr bool kMemoryIsOurs = true;
+#endif
+#else
+constexpr bool kMemoryIsOurs = true;
+#endif
+
 class Crowd : public testing::Test {
  protected:
   static std::vector<std::string> command(const Scratch& scratch) {
@@ -121,7 +134,7 @@ TEST_F(Crowd, of_fifty_half_of_them_stalled_or_killed_harms_nobody) {
   EXPECT_GT(fewest, 0U);
   EXPECT_EQ(figure("odas_dropped_hops_total"), 0);
   // The ring of hops that all share, and of each client what is on its way to him.
-  EXPECT_LT(most - before, static_cast<double>(HopRing::kRoom + 50 * kMegabyte));
+  if (kMemoryIsOurs) { EXPECT_LT(most - before, static_cast<double>(HopRing::kRoom + 50 * kMegabyte)); }
   fmt::print(
       "{} s, 25 healthy clients with {} hops each or more, {} lost; {} others stalled and killed; memory "
       "{:.1f} "
@@ -143,9 +156,13 @@ TEST_F(Crowd, of_those_who_dawdle_is_let_go_and_the_others_are_served) {
     for (const NetPeer& peer : dawdlers) peer.send("a");
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
   }
-  std::size_t gone = 0;
-  for (const NetPeer& peer : dawdlers) gone += peer.is_left() ? 1U : 0U;
-  EXPECT_EQ(gone, dawdlers.size());
+  const auto has_gone = [](const NetPeer& peer) {
+    char byte = 0;
+    const ssize_t count = ::recv(peer.descriptor(), &byte, 1, MSG_DONTWAIT);
+    return count == 0 || (count < 0 && errno != EAGAIN);
+  };
+  EXPECT_FALSE(has_gone(NetPeer::dial(daemon.port()))) << "who has just come is still waited for";
+  EXPECT_TRUE(eventually([&] { return std::all_of(dawdlers.begin(), dawdlers.end(), has_gone); }));
   EXPECT_EQ(http_get(daemon.port(), "/healthz").status, 200);
 }
 
@@ -166,7 +183,7 @@ TEST_F(Crowd, of_ten_thousand_connections_is_bounded) {
   open.clear();
   EXPECT_TRUE(eventually([&] { return http_get(daemon.port(), "/healthz").status == 200; }));
   const double after = figure("odas_resident_memory_bytes");
-  EXPECT_LT(after - before, 100.0 * kMegabyte);
+  if (kMemoryIsOurs) { EXPECT_LT(after - before, 100.0 * kMegabyte); }
   EXPECT_EQ(figure("odas_dropped_hops_total"), 0);
   await_hops(20);
   fmt::print("{} connections; memory {:.1f} MB before, {:.1f} MB after\n", made, before / 1e6, after / 1e6);
