@@ -12,7 +12,7 @@ export CMAKE_CXX_COMPILER_LAUNCHER ?= ccache
 endif
 export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
 
-.PHONY: all configure demo test check test-asan test-tsan test-arm64 fuzz soak bench deb install format tidy packages clean help
+.PHONY: all configure demo test check test-asan test-tsan test-arm64 test-web web fuzz soak bench deb install format tidy packages clean help
 
 all: configure  ## build the programs and libraries: build/bin/odas, build/bin/odaslive, build/bin/odasserver
 	cmake --build build --target programs
@@ -22,14 +22,18 @@ configure:
 	@[[ -e build/build.ninja || -e build/Makefile ]] || { scripts/install_packages.sh --check build && \
 	  cmake --preset release -DODAS_BUILD_TESTS=OFF -DODAS_BUILD_BENCHES=OFF; }
 
-demo:  ## hear the sample recording: who was where, a report, and the voices, in out/demo
+demo:  ## hear the sample recording: who was where, a report, the voices, in out/demo; then the Studio (STUDIO=0: not)
 	@scripts/install_packages.sh build
 	@$(MAKE) --no-print-directory all
 	build/bin/odas run samples/sample_4mic.flac -c configs/sample.cfg -o $(OUT)
+ifneq ($(STUDIO),0)
+	@echo
+	@exec build/bin/odas studio configs/sample.cfg --play samples/sample_4mic.flac --loop --any-port
+endif
 
-test:  ## all that must hold: both compilers, sanitizers, arm64, style, and every test (CI runs this)
+test:  ## all that must hold: both compilers, sanitizers, arm64, style, the page, every test (CI runs this)
 	@scripts/install_packages.sh build test
-	@scripts/test.sh asan tsan arm64-if-possible check
+	@scripts/test.sh asan tsan arm64-if-possible check web
 
 check:  ## the tests of the release build, and the style: the quick part of `make test`
 	@scripts/install_packages.sh build test
@@ -38,6 +42,13 @@ check:  ## the tests of the release build, and the style: the quick part of `mak
 test-asan test-tsan test-arm64:  ## one part of `make test`: ASan and UBSan, TSan, or arm64 under qemu
 	@scripts/install_packages.sh build test
 	@scripts/test.sh $(@:test-%=%)
+
+test-web: all  ## the Studio's page: types, units, its bundle byte for byte, all of it in chromium
+	@scripts/test.sh web
+
+web:  ## build the Studio's page anew, in web/dist (Node; a build of odas needs none)
+	@scripts/install_packages.sh web
+	cd web && npm ci --no-audit --no-fund && npm run build
 
 fuzz:  ## each fuzzer for an hour (FUZZ_SECONDS=3600)
 	@scripts/install_packages.sh build test

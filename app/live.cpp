@@ -12,21 +12,6 @@
 #include "odas/config/array_library.hpp"
 
 namespace odas {
-namespace {
-
-/// The configuration as it stands, all its outputs too, and the page.
-void live_with_studio(const std::string& file, const std::string& address) {
-  StudioRun run;
-  run.studio.open = read_document(file);
-  run.studio.outputs = Outputs::all;
-  run.studio.config = load_configuration(run.studio.open->file).config.studio;
-  if (!address.empty()) set_address(run.studio.config, address);
-  run.ends_alone = true;
-  if (const int code = serve_studio(std::move(run)); code != 0) throw ExitCode{code};
-}
-
-}  // namespace
-
 void add_live(CLI::App& app) {
   CLI::App* live = app.add_subcommand("live", "Run a configuration as it stands: its source, its outputs");
   live->footer(
@@ -50,7 +35,10 @@ void add_live(CLI::App& app) {
           ->expected(0, 1);
   live->callback([file, verbose, address, studio] {
     if (file->empty()) throw CLI::RequiredError("ARRAY");
-    if (studio->count() > 0) return live_with_studio(*file, *address);
+    if (studio->count() > 0) {
+      if (const int code = live_with_studio(*file, *address); code != 0) throw ExitCode{code};
+      return;
+    }
     const RunSummary summary =
         run_configuration(find_configuration(*file).string(), {}, "odas", stop_on_signals());
     if (*verbose) std::fprintf(stderr, "%s\n", describe(summary.metrics).c_str());

@@ -17,7 +17,7 @@ namespace {
 
 struct Arguments {
   std::string what, address, token, recordings, play;
-  bool loop = false, no_qr = false, any_port = false;
+  bool loop = false, no_qr = false, any_port = false, odas = false;
 };
 
 /// The configuration's own section `studio`, as far as it can be read.
@@ -28,7 +28,15 @@ StudioConfig section_of(const Document& document) {
 int serve(const Arguments& arguments) {
   StudioRun run;
   StudioConfig& config = run.studio.config;
-  if (arguments.what.ends_with(".mcap")) {
+  if (arguments.odas) {
+    run.studio.odas.emplace();
+    if (!arguments.what.empty()) {
+      const Document document = read_document(arguments.what);
+      const Configuration sender = read_configuration_text(document.text, document.source_name()).config;
+      run.studio.odas = odas_sender(sender, document.name);
+      config = sender.studio;
+    }
+  } else if (arguments.what.ends_with(".mcap")) {
     run.studio.session = arguments.what;
   } else if (!arguments.what.empty()) {
     run.studio.open = read_document(arguments.what);
@@ -72,6 +80,11 @@ void add_studio(CLI::App& app) {
                    "Hear this recording, as fast as it was made, in place of raw.interface")
       ->type_name("FILE");
   command->add_flag("--loop", arguments->loop, "Begin a recording anew when it ends");
+  CLI::Option* odas =
+      command->add_flag("--odas", arguments->odas,
+                        "Show a running odaslive of ODAS: listen where it dials. ARRAY is then "
+                        "its configuration");
+  odas->excludes("--play")->excludes("--loop");
   command->add_flag("--no-qr", arguments->no_qr, "Show no QR code of the link");
   command->add_flag("--any-port", arguments->any_port, "Take another port where this one is taken");
   command->footer(
@@ -82,6 +95,7 @@ void add_studio(CLI::App& app) {
       "  odas studio\n"
       "  odas studio respeaker_usb_4_mic\n"
       "  odas studio sample --play samples/sample_4mic.flac --loop\n"
+      "  odas studio --odas odaslive.cfg    (then: odaslive -c odaslive.cfg)\n"
       "  odas studio --listen 0.0.0.0:8080\n");
   command->callback([arguments] {
     if (const int code = serve(*arguments); code != 0) throw ExitCode{code};

@@ -6,12 +6,17 @@
 #include <cstdio>
 #include <thread>
 
+#include "qr_code.hpp"
 #include "stop.hpp"
+#include <unistd.h>
 
 #include "odas/base/error.hpp"
+#include "odas/base/host.hpp"
 
 namespace odas {
 namespace {
+
+bool leads_beyond(const StudioConfig& config) { return !config.ip.empty() && !is_loopback_host(config.ip); }
 
 bool is_port(std::string_view text, int& port) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
@@ -58,12 +63,27 @@ int serve_studio(StudioRun run) {
   const std::atomic<bool>& stop = stop_on_signals();
   const std::unique_ptr<Studio> studio = make_studio(run);
   const char* const program = run.studio.program.c_str();
-  std::fprintf(stderr, "%s: Studio: %s (Ctrl-C ends)\n", program, studio->url().c_str());
+  const std::string url = studio->url();
+  std::fprintf(stderr, "%s: Studio: %s (Ctrl-C ends)\n", program, url.c_str());
+  // For the phone in the other hand; a file or a pipe has no camera before it.
+  if (run.qr && leads_beyond(run.studio.config) && ::isatty(STDERR_FILENO) == 1) {
+    std::fputs(qr_code(url).c_str(), stderr);
+  }
   std::optional<Studio::End> end;
   while (!stop && !(run.ends_alone && (end = studio->end()))) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   return end ? end->exit_code : 0;
+}
+
+int live_with_studio(const std::string& file, const std::string& address) {
+  StudioRun run;
+  run.studio.open = read_document(file);
+  run.studio.outputs = Outputs::all;
+  run.studio.config = load_configuration(run.studio.open->file).config.studio;
+  if (!address.empty()) set_address(run.studio.config, address);
+  run.ends_alone = true;
+  return serve_studio(std::move(run));
 }
 
 }  // namespace odas

@@ -20,4 +20,8 @@ struct StudioRun {
 /// Serves until Ctrl-C, or the end of the run. The exit code.
 int serve_studio(StudioRun run);
 
+/// A configuration as it stands, all its outputs too, and the page: at `address`, or where the file says. The
+/// exit code.
+int live_with_studio(const std::string& file, const std::string& address);
+
 }  // namespace odas

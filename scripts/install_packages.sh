@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: MIT
 # scripts/install_packages.sh [--check] GROUP...: installs the Debian packages that are missing, and says which.
 # Groups: build (programs and libraries), test (all that `make test` needs), bench, arm64 (cross build of the core
-# and its tests), arm64-programs (of all, for make deb).
+# and its tests), arm64-programs (of all, for make deb), web (the checks of the Studio's page).
 # With --check nothing is installed: what is missing is said, exit code 1. When all is there, no network is touched.
 set -euo pipefail
 
 build=(g++ cmake make pkg-config libfftw3-dev libsamplerate0-dev libhwy-dev libconfig++-dev
        libsndfile1-dev libasound2-dev libpulse-dev libfmt-dev libcli11-dev nlohmann-json3-dev libcairo2-dev
-       libboost1.74-dev libssl-dev libcurl4-openssl-dev)
+       libboost1.74-dev libssl-dev libcurl4-openssl-dev libqrencode-dev)
 test=(ninja-build libgtest-dev librapidcheck-dev libbenchmark-dev
       clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-19
       libasound2-plugins pulseaudio pulseaudio-utils netcat-openbsd)
@@ -18,7 +18,12 @@ arm64=(g++-aarch64-linux-gnu qemu-user-static libc6:arm64 libstdc++6:arm64 libff
 
 arm64_programs=(libconfig++-dev:arm64 libsndfile1-dev:arm64 libasound2-dev:arm64 libpulse-dev:arm64
                 libfmt-dev:arm64 libcairo2-dev:arm64 libssl-dev:arm64 libcurl4-openssl-dev:arm64
-                dpkg-dev)
+                libqrencode-dev:arm64 dpkg-dev)
+
+# Node may be there from elsewhere, with an npm of its own, which Debian's package of that name conflicts with.
+web=(chromium)
+command -v node >/dev/null || web+=(nodejs)
+command -v npm >/dev/null || web+=(npm)
 
 say() { echo "packages: $*" >&2; }
 
@@ -31,8 +36,9 @@ for group in "$@"; do
     test) wanted+=("${test[@]}") ;;
     bench) wanted+=("${bench[@]}") ;;
     arm64) wanted+=("${arm64[@]}") ;;
+    web) wanted+=("${web[@]}") ;;
     arm64-programs) wanted+=("${arm64_programs[@]}") ;;
-    *) say "no group '$group': build, test, bench, arm64 or arm64-programs"; exit 2 ;;
+    *) say "no group '$group': build, test, bench, arm64, arm64-programs or web"; exit 2 ;;
   esac
   [[ $group == --check ]] || groups+=("$group")
 done

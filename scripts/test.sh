@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# scripts/test.sh PART...: builds and runs parts of `make test`: asan, tsan, arm64, arm64-if-possible, check; or the
-# long runs: fuzz, soak.
+# scripts/test.sh PART...: builds and runs parts of `make test`: asan, tsan, arm64, arm64-if-possible, check, web; or
+# the long runs: fuzz, soak.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
@@ -58,6 +58,8 @@ soak() {
   cmake --preset release -DODAS_BUILD_TESTS=ON >/dev/null
   cmake --build build
   ODAS_SOAK=1 run_ctest build -L soak
+  export ODAS_SOAK=1
+  web sound
 }
 
 check() {
@@ -65,6 +67,15 @@ check() {
   cmake --preset release -DODAS_BUILD_TESTS=ON >/dev/null
   cmake --build build
   run_ctest build
+}
+
+# Of the programs it needs a build that is there: `check`, or `make`. With words: only such test files.
+web() {
+  step "the Studio's page: types, units, its bundle, and all of it in chromium"
+  local status=0
+  scripts/test_web.sh "$@" || status=$?
+  if ((status == 77)); then step "SKIPPED: the page, for the reason above"; return 0; fi
+  return "$status"
 }
 
 for part in "$@"; do "$part"; done

@@ -22,7 +22,7 @@ _odas() {
     '') options='run live studio devices arrays array check tune targets simulate score -h --help --version' ;;
     run) options='-h --help -c --config -o --out --odas-files' ;;
     live) options='-h --help -c --config -v --verbose --studio' ;;
-    studio) options='-h --help -l --listen --token --recordings --play --loop --no-qr --any-port' ;;
+    studio) options='-h --help -l --listen --token --recordings --play --loop --odas --no-qr --any-port' ;;
     devices) options='-h --help --json' ;;
     array) options='-h --help --svg --png --tdoa-error' ;;
     tune) options='-h --help -o --out --silence --talk --svg --png --seconds' ;;

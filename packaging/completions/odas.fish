@@ -25,6 +25,7 @@ complete -c odas -n '__fish_seen_subcommand_from studio' -l token -x -d 'What a 
 complete -c odas -n '__fish_seen_subcommand_from studio' -l recordings -r -d 'Folder of recordings and sessions'
 complete -c odas -n '__fish_seen_subcommand_from studio' -l play -r -d 'Hear this recording'
 complete -c odas -n '__fish_seen_subcommand_from studio' -l loop -d 'Begin a recording anew when it ends'
+complete -c odas -n '__fish_seen_subcommand_from studio' -l odas -d 'Show a running odaslive of ODAS'
 complete -c odas -n '__fish_seen_subcommand_from studio' -l no-qr -d 'Show no QR code'
 complete -c odas -n '__fish_seen_subcommand_from studio' -l any-port -d 'Take another port where this one is taken'
 complete -c odas -n '__fish_seen_subcommand_from devices' -f -a "(odas devices 2>/dev/null | string match -rg '^  (\S.*)')"

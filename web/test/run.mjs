@@ -39,9 +39,12 @@ await build({
 
 const types = words.length === 0 ? await run(join(root, "node_modules/.bin/tsc"), ["--noEmit"]) : 0;
 const browser = readdirSync(join(root, "test/browser")).filter((name) => name.endsWith(".test.mjs") && wanted(name));
+// Against the real daemon, where there is one: ODAS_PROGRAM, or ../build/bin/odas.
+const daemon = readdirSync(join(root, "test/e2e")).filter((name) => name.endsWith(".test.mjs") && wanted(name));
 const files = [
   ...units.map((name) => join(out, "unit", name.replace(/\.ts$/, ".mjs"))),
   ...browser.map((name) => join(root, "test/browser", name)),
+  ...daemon.map((name) => join(root, "test/e2e", name)),
 ];
 
 const server = await chromium.launchServer({

@@ -133,4 +133,24 @@ std::string with_setting(std::string_view text, std::string_view group, std::str
   return put({text.size(), text.size()}, "\n" + std::string(group) + ": {\n  " + setting + "\n};\n");
 }
 
+std::string without_setting(std::string_view text, std::string_view group, std::string_view name) {
+  const auto value = Finder(text, group, name).find().value;
+  if (!value) return std::string(text);
+  // Back over '=' or ':' to the name, and on over what ends the setting.
+  std::size_t begin = text.find_last_of("=:", value->begin - 1);
+  begin = text.rfind(name, begin);
+  std::size_t end = value->end;
+  const std::size_t next = text.find_first_not_of(" \t", end);
+  if (next != std::string_view::npos && (text[next] == ';' || text[next] == ',')) end = next + 1;
+  // A line of which nothing is left goes as a whole.
+  const std::size_t line = text.find_last_not_of(" \t", begin - 1);
+  const std::size_t rest = text.find_first_not_of(" \t", end);
+  if (line != std::string_view::npos && text[line] == '\n' && rest != std::string_view::npos &&
+      text[rest] == '\n') {
+    begin = line;
+    end = rest;
+  }
+  return std::string(text.substr(0, begin)).append(text.substr(end));
+}
+
 }  // namespace odas

@@ -12,4 +12,8 @@ namespace odas {
 [[nodiscard]] std::string with_setting(std::string_view text, std::string_view group, std::string_view name,
                                        std::string_view value);
 
+/// The text without that setting, which may be absent.
+[[nodiscard]] std::string without_setting(std::string_view text, std::string_view group,
+                                          std::string_view name);
+
 }  // namespace odas

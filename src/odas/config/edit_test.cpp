@@ -36,6 +36,15 @@ TEST(Edit, puts_in_what_is_absent) {
   EXPECT_EQ(edited("a = 1;\n"), "a = 1;\n\nsst: {\n  active = (NEW);\n};\n");
 }
 
+TEST(Edit, takes_a_setting_out) {
+  const auto without = [](std::string_view text) { return without_setting(text, "sst", "active"); };
+  EXPECT_EQ(without("sst: {\n  a = 1;\n  active = (1, 2);\n  b = 2;\n};\n"),
+            "sst: {\n  a = 1;\n  b = 2;\n};\n");
+  EXPECT_EQ(without("sst: { a = 1; active: { mu = 1; }; b = 2; }"), "sst: { a = 1;  b = 2; }");
+  EXPECT_EQ(without("sst: { active = 1 }"), "sst: {  }");
+  EXPECT_EQ(without("active = 1; sst: { a = 1; }"), "active = 1; sst: { a = 1; }");
+}
+
 TEST(Edit, gives_a_text_that_reads_as_it_was_meant) {
   const std::string text = with_setting(
       std::string(test::kLeast) + "sst: { add = \"dynamic\" active = (\n{ mu = 0.3; }\n) N_prob = 4 }", "sst",

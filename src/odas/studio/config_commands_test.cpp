@@ -19,6 +19,14 @@ TEST(ConfigCommands, check_and_list) {
   EXPECT_TRUE(rpc.call("config.check", {{"text", text}}, Role::viewer).contains("plan"));
   const auto bad = rpc.call("config.check", {{"text", "raw: { fS = 5; };"}}, Role::viewer);
   EXPECT_FALSE(bad.at("faults").empty());
+  EXPECT_FALSE(rpc.call("config.form", {{"text", text}}, Role::viewer).at("sections").empty());
+  EXPECT_THROW(static_cast<void>(rpc.call("config.form", {{"text", "raw: {"}}, Role::viewer)), RpcError);
+  const auto edited = rpc.call(
+      "config.edit", {{"text", text}, {"changes", {{{"path", "sst.N_prob"}, {"value", 7}}}}}, Role::viewer);
+  EXPECT_NE(edited.at("text").get<std::string>().find("N_prob = 7;"), std::string::npos);
+  EXPECT_TRUE(edited.at("faults").empty());
+  EXPECT_EQ(rpc.call("array.check", {{"text", text}}, Role::viewer).at("pairs"), 6);
+  EXPECT_TRUE(rpc.call("devices.list", {}, Role::viewer).is_array());
   EXPECT_FALSE(rpc.call("arrays.list", {}, Role::viewer).empty());
 }
 

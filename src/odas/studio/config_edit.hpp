@@ -18,4 +18,11 @@ namespace odas {
 /// `nBits`, `hopSize` and `format` of `raw`.
 [[nodiscard]] std::string with_source(const Document& document, const nlohmann::json& source);
 
+/// The text after changes, `[{"path":"sst.N_prob","value":5}]`, one after another: null takes a key, or an
+/// item of a list, out; an item at one past the last puts it in. Everything else stays as it was, comments
+/// too, but for comments within a group or list that a change reaches into. Throws ConfigError: no such key,
+/// or a value that no configuration can hold.
+[[nodiscard]] std::string with_changes(std::string text, const std::string& name,
+                                       const nlohmann::json& changes);
+
 }  // namespace odas

@@ -10,6 +10,7 @@
 #include "odas/studio/config_commands.hpp"
 #include "odas/studio/engine_commands.hpp"
 #include "odas/studio/engine_host.hpp"
+#include "odas/studio/own_address.hpp"
 #include "odas/studio/own_file.hpp"
 #include "odas/studio/records.hpp"
 #include "odas/studio/server.hpp"
@@ -57,10 +58,26 @@ class ServerRelay final : public Announcer, public HopListener {
   std::atomic<StudioServer*> server_{nullptr};
 };
 
-RecordsOptions records_options(const StudioConfig& config) {
+/// Stands for the records while there are none: the log is made before them, for they have something to say,
+/// too.
+class AnnouncerRelay final : public Announcer {
+ public:
+  void set(Announcer* to) { to_.store(to); }
+  void announce(const std::string& topic, const json& message) override {
+    if (Announcer* to = to_) to->announce(topic, message);
+  }
+
+ private:
+  std::atomic<Announcer*> to_{nullptr};
+};
+
+RecordsOptions records_options(const StudioConfig& config, LogBook& log) {
   RecordsOptions options;
   options.folder = recordings_folder(config.recordings);
   options.preroll_s = static_cast<double>(config.preroll);
+  options.events = config.events;
+  options.speech = config.speech;
+  options.say = [&log](const std::string& level, const std::string& text) { log.say(level, text); };
   return options;
 }
 
@@ -70,15 +87,21 @@ class Studio::Body {
  public:
   explicit Body(StudioOptions options)
       : options_(std::move(options)),
-        records_(records_options(options_.config), relay_),
-        log_(options_.program, records_),
+        log_(options_.program, log_relay_),
+        records_(records_options(options_.config, log_), relay_),
         host_({options_.outputs, options_.loop, {}}, records_, log_, {&relay_, &records_}) {
-    add_engine_methods(rpc_, host_, records_);
-    add_config_methods(rpc_, host_);
+    log_relay_.set(&records_);
+    // Of another program's run nothing can be changed.
+    if (!options_.odas) {
+      add_engine_methods(rpc_, host_, records_);
+      add_config_methods(rpc_, host_);
+    }
     records_.add_methods(rpc_);
     server_.emplace(options_.config, rpc_, std::vector<FileProvider*>{&records_}, hooks());
     relay_.set(&*server_);
-    if (options_.open) {
+    if (options_.odas) {
+      odas_.emplace(*options_.odas, std::vector<HopListener*>{&relay_, &records_}, records_, log_);
+    } else if (options_.open) {
       host_.open(*options_.open);
     } else {
       records_.announce("", {{"type", "engine"},
@@ -89,14 +112,25 @@ class Studio::Body {
   ~Body() {
     // The run ends while the server is there to tell of it; the server ends before what it asks is gone.
     host_.shut_down();
+    odas_.reset();
     relay_.set(nullptr);
     server_.reset();
+    log_relay_.set(nullptr);
   }
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
 
   [[nodiscard]] const StudioServer& server() const { return *server_; }
   [[nodiscard]] EngineHost::Status status() const { return host_.status(); }
+  /// One that others can go to: an address, where all are listened at, for names are not known to every
+  /// phone.
+  [[nodiscard]] std::string url() const {
+    std::string url = server_->url();
+    const std::string own = own_address(), &ip = options_.config.ip;
+    if (own.empty() || (ip != "0.0.0.0" && ip != "::")) return url;
+    const std::size_t host = url.find("://") + 3;
+    return url.replace(host, url.find(':', host) - host, own);
+  }
 
  private:
   ServerHooks hooks() {
@@ -112,7 +146,10 @@ class Studio::Body {
   }
 
   json hello() {
-    return {{"capabilities", {"record", "sessions", "config", "engine", "targets", "power"}},
+    json capabilities = {"record", "sessions"};
+    if (!options_.odas) capabilities.insert(capabilities.end(), {"config", "engine", "targets", "power"});
+    if (!options_.config.speech.command.empty()) capabilities.push_back("transcripts");
+    return {{"capabilities", std::move(capabilities)},
             {"recordings", recordings_folder(options_.config.recordings).string()},
             {"open_session", options_.session.empty() ? json() : json(options_.session)},
             {"camera", camera_json(options_.config.camera)},
@@ -122,16 +159,18 @@ class Studio::Body {
   const StudioOptions options_;
   RpcRegistry rpc_;
   ServerRelay relay_;
-  Records records_;
+  AnnouncerRelay log_relay_;
   LogBook log_;
+  Records records_;
   EngineHost host_;
+  std::optional<OdasView> odas_;
   std::optional<StudioServer> server_;
 };
 
 Studio::Studio(StudioOptions options) : body_(std::make_unique<Body>(std::move(options))) {}
 Studio::~Studio() = default;
 int Studio::port() const { return body_->server().port(); }
-std::string Studio::url() const { return body_->server().url(); }
+std::string Studio::url() const { return body_->url(); }
 
 std::optional<Studio::End> Studio::end() const {
   const EngineHost::Status now = body_->status();

@@ -7,12 +7,14 @@
 
 #include "odas/engine/studio_config.hpp"
 #include "odas/studio/document.hpp"
+#include "odas/studio/odas_view.hpp"
 
 namespace odas {
 
 struct StudioOptions {
   StudioConfig config;                 // where it listens, tokens, folder
   std::optional<Document> open;        // what runs at once; none: the page chooses
+  std::optional<OdasSender> odas;      // in place of a run: an `odaslive` that sends to us
   std::string session;                 // a session file that the page shows at once; "": none
   Outputs outputs = Outputs::network;  // of the configurations that run
   bool loop = false;                   // recordings begin anew when they end
