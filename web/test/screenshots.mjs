@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pictures of every route in both themes, from fixtures: `npm run screenshots [WORD...]` writes docs/images/studio/.
-import { mkdirSync } from "node:fs";
+import { mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -19,20 +20,27 @@ const two = (t) => [
   track(0, 12, [40 + 6 * Math.sin(t / 60), 12], { level: -22 - 6 * Math.abs(Math.sin(t / 13)) }),
   track(2, 13, [-120 + t / 25, -5], { level: -30, category: 2 }),
 ];
-const peaks = (t) => [[...direction(40 + 4 * Math.sin(t), 12 + 3 * Math.cos(t * 1.7)), 0.55 + 0.2 * Math.sin(t)], [...direction(-120 + t / 25, -5), 0.4], [...direction((t * 37) % 360, 20), 0.12]];
+/** Between 0 and 1, the same at each run. */
+const random = (k) => (Math.abs(Math.sin(12.9898 * k) * 43758.5453) % 1);
+const peaks = (t) => [
+  [...direction(40 + 8 * (random(t) - 0.5), 12 + 8 * (random(t + 0.1) - 0.5)), 0.4 + 0.5 * random(t + 0.2)],
+  [...direction(-120 + t / 25 + 8 * (random(t + 0.3) - 0.5), -5 + 6 * (random(t + 0.4) - 0.5)), 0.3 + 0.4 * random(t + 0.5)],
+  ...(t % 6 === 0 ? [[...direction(360 * random(t + 0.6), 80 * random(t + 0.7) - 10), 0.05 + 0.2 * random(t + 0.8)]] : []),
+];
 
 /** A harmonic voice that glides, as blocks of 512 samples. */
 function speak(daemon, blocks) {
+  let phase = 0;
+  const tone = Array.from({ length: 512 * blocks }, (_, n) => {
+    phase += (2 * Math.PI * (150 + 40 * Math.sin(n / 9000))) / 16000;
+    let sum = 0;
+    for (let h = 1; h < 16; ++h) sum += Math.sin(h * phase) / h;
+    return 5000 * Math.max(0, Math.sin(n / 5200)) ** 0.5 * sum;
+  });
   for (let block = 0; block < blocks; ++block) {
     for (const stream of [0, 2]) {
-      const samples = Array.from({ length: 512 }, (_, i) => {
-        const n = block * 512 + i;
-        const f = 150 + 40 * Math.sin(n / 9000);
-        const talk = Math.max(0, Math.sin(n / 5200)) ** 0.5;
-        let sum = 0;
-        for (let h = 1; h < 16; ++h) sum += Math.sin((2 * Math.PI * h * f * n) / 16000) / h;
-        return 5000 * talk * sum + (stream === 2 ? 120 : 12) * (Math.random() - 0.5) * 2;
-      });
+      const hiss = stream === 2 ? 40 : 2;
+      const samples = Array.from({ length: 512 }, (_, i) => tone[block * 512 + i] + hiss * (2 * random(block * 512 + i) - 1));
       daemon.send(audio({ stream, source: stream === 2 ? 1 : 12, first: block * 512, samples }));
     }
   }
@@ -89,8 +97,9 @@ const shots = {
     return daemon;
   } },
   live: { route: "live", daemon: () => fullDaemon().daemon, after: async (page, daemon) => {
-    for (let i = 0; i < 20; ++i) daemon.hops(100, two, peaks);
-    await page.waitForTimeout(1500);
+    for (let i = 0; i < 24; ++i) daemon.hops(100, two, peaks);
+    daemon.feed({ tracks: two, potentials: peaks });
+    await page.waitForTimeout(3000);
   } },
   "live-empty": { route: "live", daemon: () => emptyDaemon().daemon },
   extras: { route: "live", daemon: () => fullDaemon({ camera }).daemon, after: async (page, daemon) => {
@@ -103,7 +112,7 @@ const shots = {
     await page.locator("body").press("ArrowDown");
     await page.waitForSelector(".spectrogram canvas");
     speak(daemon, 200);
-    daemon.hops(5, front, peaks);
+    daemon.feed({ tracks: front, potentials: peaks });
     await page.waitForSelector(".camera svg");
     await page.waitForTimeout(1200);
     await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
@@ -112,38 +121,50 @@ const shots = {
 };
 
 mkdirSync(out, { recursive: true });
-const dist = join(root, ".test/dist");
+const dist = mkdtempSync(join(tmpdir(), "odas-page-"));
 await buildPage(dist);
 const server = await serve(dist);
 const origin = `http://127.0.0.1:${server.address().port}`;
 const browser = await launch();
-for (const [name, shot] of Object.entries(shots)) {
-  if (words.length > 0 && !words.some((word) => name === word || name.startsWith(`${word}-`))) continue;
-  for (const theme of (process.env.ODAS_THEMES ?? "light,dark").split(",")) {
-    const size = process.env.ODAS_SIZE?.split("x").map(Number) ?? [1280, 800];
-    const context = await browser.newContext({ viewport: { width: size[0], height: size[1] }, colorScheme: theme, reducedMotion: "reduce", timezoneId: "UTC", locale: process.env.ODAS_LOCALE ?? "en-GB" });
+const size = process.env.ODAS_SIZE?.split("x").map(Number) ?? [1280, 800];
+
+async function take(name, shot, theme) {
+  const context = await browser.newContext({ viewport: { width: size[0], height: size[1] }, colorScheme: theme, reducedMotion: "reduce", timezoneId: "UTC", locale: process.env.ODAS_LOCALE ?? "en-GB" });
+  const daemon = shot.daemon();
+  try {
     const page = await context.newPage();
-    page.setDefaultTimeout(20000);
+    page.setDefaultTimeout(90000);
     page.on("pageerror", (error) => console.error(name, error));
     await serveFiles(page);
     await page.route("**/camera.svg", (route) => route.fulfill({ body: kPicture, contentType: "image/svg+xml" }));
-    const daemon = shot.daemon();
     await daemon.attach(page);
     await page.goto(`${origin}/#/${shot.route}`);
     await page.waitForSelector("main :is(h1, h2, .panel)");
     if (shot.wait) await page.waitForSelector(shot.wait);
-    await page.waitForTimeout(500);
-    try {
-      await shot.after?.(page, daemon);
-    } catch (error) {
-      console.error(name, String(error));
+    if (shot.route !== "live" && daemon.greeting[1].state === "running") {
+      daemon.feed({ tracks: two, potentials: peaks });
+      await page.waitForTimeout(3000);
     }
-    if (!name.includes("empty") && !name.includes("first") && !name.includes("failed") && shot.route !== "live") daemon.hops(125);
-    await page.waitForTimeout(200);
+    await page.waitForTimeout(500);
+    await shot.after?.(page, daemon);
     await page.screenshot({ path: join(out, `${name}-${theme}.png`) });
     console.log(`${name}-${theme}.png`);
+  } finally {
+    daemon.stop();
     await context.close();
   }
 }
+
+const themes = (process.env.ODAS_THEMES ?? "light,dark").split(",");
+for (const [name, shot] of Object.entries(shots)) {
+  if (words.length > 0 && !words.some((word) => name === word || name.startsWith(`${word}-`))) continue;
+  for (const theme of themes) {
+    await take(name, shot, theme).catch((error) => {
+      console.error(`${name}-${theme}.png: ${error}`);
+      process.exitCode = 1;
+    });
+  }
+}
 await browser.close();
+rmSync(dist, { recursive: true });
 server.close();

@@ -32,7 +32,7 @@ function fill(text: string, values: Values | undefined): string {
   return values ? text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole)) : text;
 }
 
-/** A number as the language of now writes it. */
+/** A number as the language of now writes it, with the minus of print. */
 export function number(value: number, digits = 0): string {
-  return value.toLocaleString(language.value, { minimumFractionDigits: digits, maximumFractionDigits: digits });
+  return value.toLocaleString(language.value, { minimumFractionDigits: digits, maximumFractionDigits: digits }).replace("-", "\u2212");
 }

@@ -5,34 +5,47 @@ import { useEffect, useRef } from "preact/hooks";
 
 import { counters } from "../shell/counters";
 
+/** Milliseconds: a frame that comes later than this after it was asked for says that the computer is busy. */
+const kLate = 50;
+const kLongestRest = 500;
+
 /**
- * Calls `draw` before the next frame after any signal that `watch` reads has changed. A drawing that took long waits at least as long
- * again, so that the page stays quick on a slow machine.
+ * Calls `draw` before the next frame after any signal that `watch` reads has changed. After a drawing that took long, or a frame that
+ * came late, it rests at least as long again, so that the page stays quick on a slow machine.
  */
 export function usePainter(watch: () => void, draw: () => void): void {
   const latest = useRef({ watch, draw });
   latest.current = { watch, draw };
   useEffect(() => {
     let frame = 0;
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    let asked = 0;
     let ready = 0;
     const paint = () => {
       frame = 0;
       const begin = performance.now();
-      if (begin < ready) return ask();
       latest.current.draw();
       counters.paints++;
       const end = performance.now();
-      ready = end - begin > 8 ? end + 2 * (end - begin) : 0;
+      const drawing = end - begin > 8 ? 2 * (end - begin) : 0;
+      const late = begin - asked > kLate ? begin - asked : 0;
+      ready = end + Math.min(kLongestRest, Math.max(drawing, late));
     };
     const ask = () => {
-      if (frame === 0) frame = requestAnimationFrame(paint);
+      timer = undefined;
+      asked = performance.now();
+      frame = requestAnimationFrame(paint);
     };
     const stop = effect(() => {
       latest.current.watch();
-      ask();
+      if (frame !== 0 || timer !== undefined) return;
+      const rest = ready - performance.now();
+      if (rest > 0) timer = setTimeout(ask, rest);
+      else ask();
     });
     return () => {
       stop();
+      clearTimeout(timer);
       cancelAnimationFrame(frame);
     };
   }, []);

@@ -2,7 +2,7 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 
-/** A button that opens a small panel below it; Escape and a click elsewhere close it. */
+/** A button that opens a small panel below it; Escape and a click elsewhere close it, and so does a choice. */
 export function Menu({ label, face, class: name = "", children }: { label: string; face: ComponentChildren; class?: string; children: ComponentChildren }) {
   const details = useRef<HTMLDetailsElement>(null);
   useEffect(() => {
@@ -18,10 +18,15 @@ export function Menu({ label, face, class: name = "", children }: { label: strin
     details.current.open = false;
     details.current.querySelector("summary")?.focus();
   };
+  const choose = (event: Event) => {
+    if (!(event.target as HTMLElement).closest(".menu-item") || !details.current) return;
+    details.current.open = false;
+    details.current.querySelector("summary")?.focus();
+  };
   return (
     <details ref={details} class={`menu ${name}`} onKeyDown={escape}>
       <summary class="button ghost" aria-label={label} title={label}>{face}</summary>
-      <div class="menu-panel">{children}</div>
+      <div class="menu-panel" onClick={choose}>{children}</div>
     </details>
   );
 }

@@ -36,7 +36,7 @@ const look = (page) => page.evaluate(() => globalThis.odasTest.probes.audio());
 const tap = (page) => page.evaluate(() => globalThis.odasTest.probes.tap());
 
 async function heard(page, samples) {
-  await page.waitForFunction((count) => globalThis.odasTest.probes.audio().report.played >= count, samples, { timeout: 25000, polling: 100 });
+  await page.waitForFunction((count) => globalThis.odasTest.probes.audio().report.played >= count, samples, { timeout: 90000, polling: 100 });
   return look(page);
 }
 

@@ -56,8 +56,10 @@ export function useStudio({ flags } = {}) {
     const base = url ?? (await origin(host));
     const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", ...options });
     opened.push({ context, daemon });
+    await context.addInitScript(() => addEventListener("securitypolicyviolation", ({ violatedDirective, blockedURI }) => console.error(`policy ${violatedDirective}: ${blockedURI}`)));
     const page = await context.newPage();
-    page.setDefaultTimeout(15000);
+    // Long, since whoever runs the tests may have other work for the computer.
+    page.setDefaultTimeout(60000);
     const faults = watch(page, new URL(base).origin);
     if (!url) await daemon.attach(page);
     await prepare?.(page);
@@ -90,6 +92,9 @@ function watch(page, origin) {
   page.on("request", (request) => {
     const url = new URL(request.url());
     if (/^https?:$/.test(url.protocol) && url.origin !== origin) faults.push(`foreign request: ${url}`);
+  });
+  page.on("websocket", (socket) => {
+    if (new URL(socket.url()).host !== new URL(origin).host) faults.push(`foreign socket: ${socket.url()}`);
   });
   return faults;
 }

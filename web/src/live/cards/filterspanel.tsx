@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { number } from "../../i18n/i18n";
 import { kFilters, type Filters } from "../filters";
 import { t } from "../texts";
 import { useView } from "../view";
@@ -48,7 +49,7 @@ interface SliderProps {
 }
 
 function Slider({ label, value, from = 0, to, step, unit = "", change }: SliderProps) {
-  const text = unit ? `${value}${unit}` : value.toFixed(2);
+  const text = unit ? `${number(value)}${unit}` : number(value, 2);
   return (
     <label class="slider">
       <span>{label}</span>

@@ -17,7 +17,7 @@ export const kAxes: Record<"az" | "el", Axis> = {
   el: { kind: "el", limit: 90, step: 30 },
 };
 
-export const kMargin = { left: 44, right: 40, top: 8, bottom: 20 };
+export const kMargin = { left: 50, right: 40, top: 8, bottom: 20 };
 
 /** Side of a dot of a potential, in CSS pixels. */
 const kDot = 2;
@@ -92,7 +92,7 @@ function drawGrid(draw: CanvasRenderingContext2D, view: View, axis: Axis, plot: 
     draw.lineTo(rightEdge, y);
     draw.stroke();
     draw.globalAlpha = 1;
-    const room = plot.height > 110 || degrees % (2 * axis.step) === 0 || Math.abs(degrees) === axis.limit;
+    const room = plot.height > 110 || degrees % axis.limit === 0;
     if (room) draw.fillText(`${degrees < 0 ? "\u2212" : ""}${Math.abs(degrees)}°`, kMargin.left - 8, y);
   }
   const step = tickStep(view.span.value, plot.width - kMargin.left - kMargin.right);

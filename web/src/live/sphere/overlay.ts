@@ -4,7 +4,7 @@ import type { Target, Vec3 } from "../../socket/messages";
 import { direction } from "../../store/angles";
 import { colorOf, inks, markerPath } from "../palette";
 import type { Frame } from "./frame";
-import type { Stage } from "./stage";
+import type { Projected, Stage } from "./stage";
 
 export interface Marks {
   flat: boolean;
@@ -21,15 +21,7 @@ export function drawOverlay(draw: CanvasRenderingContext2D, width: number, heigh
   draw.textBaseline = "middle";
   draw.font = "11px system-ui, sans-serif";
   draw.fillStyle = ink.text;
-  const label = (text: string, at: Vec3) => {
-    const { x, y, front } = stage.project(at);
-    draw.globalAlpha = front ? 1 : 0.4;
-    draw.fillText(text, x, y);
-  };
-  const out = marks.flat ? 1 : 1.1;
-  for (let az = -150; az <= 180; az += 30) label(`${az < 0 ? "\u2212" : ""}${Math.abs(az)}°`, scaled(direction(az, marks.flat ? -83 : 0), out));
-  for (const el of [-60, -30, 30, 60]) label(`${el < 0 ? "\u2212" : "+"}${Math.abs(el)}°`, scaled(direction(marks.flat ? 172 : 0, el), out));
-  draw.globalAlpha = 1;
+  drawDegrees(draw, stage, frame, marks.flat);
 
   draw.font = "10px system-ui, sans-serif";
   if (!marks.flat && width > 260) {
@@ -63,6 +55,27 @@ export function drawOverlay(draw: CanvasRenderingContext2D, width: number, heigh
   }
   draw.globalAlpha = 1;
 }
+
+/** Degrees around the sphere, each where no voice and no other number stands; those in front come first. */
+function drawDegrees(draw: CanvasRenderingContext2D, stage: Stage, frame: Frame, flat: boolean): void {
+  const out = flat ? 1 : 1.1;
+  const labels: (Projected & { text: string })[] = [];
+  for (let az = -150; az <= 180; az += 30) labels.push({ text: degrees(az, ""), ...stage.project(scaled(direction(az, flat ? -83 : 0), out)) });
+  for (const el of [-60, -30, 30, 60]) labels.push({ text: degrees(el, "+"), ...stage.project(scaled(direction(flat ? 172 : 0, el), out)) });
+  const taken = frame.balls.flatMap(({ az, el }) => {
+    const { x, y } = stage.project(direction(az, el));
+    return [{ x, y }, { x: x + 28, y }];
+  });
+  for (const { text, x, y, front } of labels.sort((a, b) => Number(b.front) - Number(a.front))) {
+    if (taken.some((other) => Math.abs(other.x - x) < 30 && Math.abs(other.y - y) < 14)) continue;
+    taken.push({ x, y });
+    draw.globalAlpha = front ? 1 : 0.4;
+    draw.fillText(text, x, y);
+  }
+  draw.globalAlpha = 1;
+}
+
+const degrees = (value: number, plus: string) => `${value < 0 ? "\u2212" : plus}${Math.abs(value)}°`;
 
 function drawTarget(draw: CanvasRenderingContext2D, stage: Stage, target: Target, ink: string, bad: string): void {
   const { x, y, front } = stage.project(target.direction);

@@ -11,7 +11,7 @@ import { Balls, dotTexture, Filling } from "./buffers";
 import type { Frame } from "./frame";
 import type { Picture, Projected, Stage } from "./stage";
 
-const kDistance = 3.9;
+const kDistance = 4.2;
 const kPresets: Record<Preset, Vec3> = { front: [1, 0, 0.06], top: [-0.002, 0, 1], side: [0, -1, 0.06], iso: [0.72, -0.62, 0.5] };
 
 const kRimVertex = "varying vec3 vNormal; varying vec3 vEye; void main() { vec4 p = modelViewMatrix * vec4(position, 1.0); vNormal = normalMatrix * normal; vEye = -p.xyz; gl_Position = projectionMatrix * p; }";

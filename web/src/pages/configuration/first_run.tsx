@@ -9,6 +9,8 @@ import { useAsked, useAskedList } from "../shared/asked";
 import { useMayChange } from "../shared/notes";
 import { t } from "./texts";
 
+const kExample = "/srv/room.wav";
+
 interface Device {
   interface: string;
   name: string;
@@ -81,7 +83,7 @@ export function FirstRun({ onOpened = () => { location.hash = linkTo("live"); } 
             </div>
           )}
           <label class="menu-check"><input type="radio" name="source" checked={source === "file"} onChange={() => setSource("file")} /><span>{t("file")}</span></label>
-          {source === "file" && <input class="choice" type="text" value={path} placeholder="/srv/room.wav" aria-label={t("filePath")} spellcheck={false} onInput={(event) => setPath(event.currentTarget.value)} />}
+          {source === "file" && <input class="choice" type="text" value={path} placeholder={kExample} aria-label={t("filePath")} spellcheck={false} onInput={(event) => setPath(event.currentTarget.value)} />}
         </fieldset>
         <label class="stack">
           <span>{t("array")}</span>

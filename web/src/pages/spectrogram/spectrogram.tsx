@@ -77,7 +77,7 @@ export function Spectrogram({ track, mics, onWish, listen }: Props) {
         <label class="inline-field">
           <span>{t("floor")}</span>
           <select value={String(floor)} onChange={(event) => setFloor(Number(event.currentTarget.value))}>
-            {[-60, -75, -90, -105].map((db) => <option key={db} value={String(db)}>{t("dB", { n: db })}</option>)}
+            {[-60, -75, -90, -105].map((db) => <option key={db} value={String(db)}>{t("dB", { n: number(db) })}</option>)}
           </select>
         </label>
       </header>
