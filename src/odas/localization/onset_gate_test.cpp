@@ -10,6 +10,7 @@
 namespace odas {
 namespace {
 
+constexpr std::size_t kMics = 4;  // for which c = 3
 constexpr std::size_t kBins = 129;
 constexpr float kHop = 0.008F;
 constexpr float kBinHz = 62.5F;
@@ -17,16 +18,16 @@ constexpr std::size_t kTop = kBins - 1;
 
 struct Gate {
   std::span<const float> hop(float amplitude, float noise = 0) {
-    for (std::size_t m = 0; m < 2; ++m) {
+    for (std::size_t m = 0; m < kMics; ++m) {
       for (cfloat& x : spectra[m]) x = amplitude;
       for (float& n : psd[m]) n = noise;
     }
     gate.update(spectra, psd);
     return gate.weights();
   }
-  OnsetGate gate{kBins, kHop, kBinHz};
-  Grid<cfloat> spectra{2, kBins};
-  Grid<float> psd{2, kBins};
+  OnsetGate gate{kMics, kBins, kHop, kBinHz};
+  Grid<cfloat> spectra{kMics, kBins};
+  Grid<float> psd{kMics, kBins};
 };
 
 TEST(OnsetGate, Counts_clear_bins_by_their_frequency_and_none_under_200_Hz) {
@@ -62,9 +63,9 @@ TEST(OnsetGate, Lets_hardly_anything_of_steady_noise_through) {
   double passed = 0;
   constexpr int kHops = 300;
   for (int hop = 0; hop < kHops; ++hop) {
-    for (std::size_t m = 0; m < 2; ++m) {
+    for (std::size_t m = 0; m < kMics; ++m) {
       for (std::size_t k = 0; k < kBins; ++k) {
-        // One noise in both microphones: its power spreads the most.
+        // One noise in all microphones: its power spreads the most.
         g.spectra[m][k] = m == 0 ? cfloat{normal(random), normal(random)} : g.spectra[0][k];
         g.psd[m][k] = 1;
       }

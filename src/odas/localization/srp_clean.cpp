@@ -70,7 +70,8 @@ SrpClean::SrpClean(const GeneralConfig& general, const SslConfig& ssl)
     : plan_(general, ssl),
       table_(frame_size(general), ssl.interp_rate, plan_.half_lags),
       pattern_table_(frame_size(general), ssl.interp_rate, 2 * plan_.half_lags + 1),
-      gate_(table_.bins(), hop_s(general), bin_hz(general)),
+      gate_(general.mics.size(), table_.bins(), hop_s(general), bin_hz(general)),
+      diffuse_(general, plan_.pairs, table_, bin_hz(general)),
       new_share_(ssl.averaging > 0 ? 1 - std::exp(-1000 * hop_s(general) / ssl.averaging) : 1),
       re_(general.mics.size(), padded(table_.bins())),
       im_(re_.rows(), re_.cols()),
@@ -122,6 +123,7 @@ void SrpClean::hear(GridView<const cfloat> spectra) noexcept {
 
 void SrpClean::average() noexcept {
   lag_products(re_, im_, plan_.pairs, table_, scratch_, now_);
+  diffuse_.subtract(gate_.diffuse(), table_, scratch_, now_);
   lag_products(root_, nothing_, kSelf, pattern_table_, scratch_, pattern_now_);
   const auto mix = [this](std::span<float> kept, std::span<const float> heard) {
     for (std::size_t n = 0; n < kept.size(); ++n) kept[n] += new_share_ * (heard[n] - kept[n]);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "odas/localization/diffuse_field.hpp"
 #include "odas/localization/kernels.hpp"
 #include "odas/localization/localizer.hpp"
 #include "odas/localization/onset_gate.hpp"
@@ -16,11 +17,12 @@ namespace odas {
 /// is subtracted before the next is searched (CLEAN).
 ///
 /// Method: g = weights of the hop's bins (OnsetGate);
-///   x_ij <- (1 - a) x_ij + a IDFT(g phi_i conj(phi_j)),  w <- (1 - a) w + a IDFT(g),  phi = X / |X|,
-///   a = 1 - e^(-hop / averaging). Search from coarse to fine (PeakSearch), then off the grid (PeakFit).
-///   After a potential at u with E is found: x_ij[l] -= E w[l - lag_ij(u)] / w[0].
-///   energy = E / (sum of the slopes of all bins): 1 if all bins were clear onsets of one plane wave.
-///   evidence and covariance: below, fitted to simulated rooms; docs/localization.md has the figures.
+///   x_ij <- (1 - a) x_ij + a IDFT(g phi_i conj(phi_j) - diffuse part),  w <- (1 - a) w + a IDFT(g),
+///   phi = X / |X|,  a = 1 - e^(-hop / averaging); the diffuse part is DiffuseField's. Search from coarse to
+///   fine (PeakSearch), then off the grid (PeakFit). After a potential at u with E is found: x_ij[l] -= E w[l
+///   - lag_ij(u)] / w[0]. energy = E / (sum of the slopes of all bins): 1 if all bins were clear onsets of
+///   one plane wave. evidence and covariance: below, fitted to simulated rooms; docs/localization.md has the
+///   figures.
 /// Symbols: u direction, i < j microphones, l lag in samples interpolated r times.
 /// Source: SRP-PHAT, DiBiase, 2000; search, Grondin and Michaud, 2019; CLEAN, Hoegbom, 1974.
 /// Shapes: spectra [mic][bin], noise_psd [mic][bin] -> potentials, the clearest first.
@@ -52,6 +54,7 @@ class SrpClean final : public Localizer {
   SearchPlan plan_;
   LagTable table_, pattern_table_;
   OnsetGate gate_;
+  DiffuseField diffuse_;
   float new_share_;             // a
   Grid<float> re_, im_;         // [mic][bin, padded]: sqrt(g) phi
   Grid<float> now_;             // [pair][column]: of this hop
