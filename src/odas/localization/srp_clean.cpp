@@ -24,16 +24,17 @@ float bin_hz(const GeneralConfig& general) {
 
 constexpr std::array<Pair, 1> kSelf{{{0, 0}}};  // a channel with itself: the pattern of a plane wave
 
-/// Log-odds of potentials on talkers against the others, in scenes of half as many talkers as potentials or
-/// none, as a line over ln E: logistic regression. Later potentials must stand out of what the first leaves
-/// over.
-float evidence(float energy, float strongest) noexcept {
+/// Log-odds of potentials on talkers against the others: lines over ln E, from a logistic regression over the
+/// scenes of docs/localization.md. A single hop may be chance or a click; a talker fills seven hops of the
+/// average and more. Later potentials must stand out of what the first leaves over.
+float evidence(float energy, float strongest, float hops) noexcept {
   constexpr float kLeast = -6;
   constexpr float kMost = 8;
   if (!(energy > 0)) return kLeast;
   const float log_energy = std::log(energy);
-  const float first = 11.3F + 1.36F * log_energy;
-  const float later = 8.0F + 0.65F * log_energy + 1.75F * std::log(energy / strongest);
+  const float persistence = 1.2F * std::log(std::max(hops, 1.F) / 7);
+  const float first = 11.3F + 1.36F * log_energy + persistence;
+  const float later = 8.0F + 0.65F * log_energy + 1.75F * std::log(energy / strongest) + persistence;
   return std::clamp(energy < strongest ? std::min(first, later) : first, kLeast, kMost);
 }
 
@@ -133,6 +134,8 @@ void SrpClean::average() noexcept {
     std::copy(averaged_[q].begin(), averaged_[q].end(), rest_[q].begin());
   }
   mix(pattern_[0], pattern_now_[0]);
+  const float added = new_share_ * pattern_now_[0][pattern_table_.half_lags()];
+  squares_ = (1 - new_share_) * (1 - new_share_) * squares_ + added * added;
 }
 
 void SrpClean::subtract(const PeakFit::Fit& fit, std::span<const std::uint8_t> heard) noexcept {
@@ -156,12 +159,18 @@ void SrpClean::subtract(const PeakFit::Fit& fit, std::span<const std::uint8_t> h
 
 Potential SrpClean::describe(const PeakFit::Fit& fit, float strongest) const noexcept {
   Potential potential{fit.direction, fit.energy};
-  potential.evidence = evidence(fit.energy, strongest);
+  potential.evidence = evidence(fit.energy, strongest, hops_heard());
   potential.covariance = covariance(fit);
   return potential;
 }
 
+float SrpClean::hops_heard() const noexcept {
+  const float all = pattern_[0][pattern_table_.half_lags()];
+  return squares_ > 0 ? all * all / squares_ : 0.F;
+}
+
 void SrpClean::reset() noexcept {
+  squares_ = 0;
   gate_.reset();
   averaged_.fill(0);
   rest_.fill(0);

@@ -50,6 +50,8 @@ class SrpClean final : public Localizer {
   void average() noexcept;
   void subtract(const PeakFit::Fit& fit, std::span<const std::uint8_t> heard) noexcept;
   [[nodiscard]] Potential describe(const PeakFit::Fit& fit, float strongest) const noexcept;
+  /// How many hops alike make up the average: 1 after a single click.
+  [[nodiscard]] float hops_heard() const noexcept;
 
   SearchPlan plan_;
   LagTable table_, pattern_table_;
@@ -63,6 +65,7 @@ class SrpClean final : public Localizer {
   Grid<float> root_, nothing_;  // [1][bin, padded]: sqrt(g), 0
   Grid<float> pattern_now_, pattern_;  // [1][column]: of this hop; averaged
   std::vector<float> scratch_;
+  float squares_ = 0;  // of what each hop adds to the middle of pattern_, faded as these are
   PeakSearch search_;
   PeakFit fit_;
   std::vector<float> power_;  // [direction of the coarsest grid], if kept

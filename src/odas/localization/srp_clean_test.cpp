@@ -33,7 +33,7 @@ TEST_P(SrpCleanArrays, Finds_a_plane_wave_within_a_degree_and_is_sure_of_it) {
       const Vec3 u = direction_of(az, el);
       const auto found = onset(general, test::plane_wave(general, u, seed++));
       EXPECT_LT(angle_deg(found[0].direction, u), 1) << az << " " << el;
-      EXPECT_GT(found[0].evidence, 5);
+      EXPECT_GT(found[0].evidence, 4) << "as sure as a single hop may be";
       EXPECT_LT(std::sqrt(found[0].covariance.east), radians(3.F));
       EXPECT_LT(found[1].energy, 0.15F * found[0].energy) << "its pattern was taken out";
       EXPECT_LT(found[1].evidence, found[0].evidence - 3);
