@@ -16,11 +16,22 @@ using cfloat = std::complex<float>;
 /// Hops since the start, from 1. What ODAS's JSON calls timeStamp. seconds = (time - 1) * hop / rate.
 using HopIndex = std::uint64_t;
 
+/// How uncertain a direction is, in its tangent plane, rad^2. East is where azimuth grows, north where
+/// elevation does. All zero: not told.
+struct TangentCovariance {
+  float east = 0;
+  float north = 0;
+  float cross = 0;  // of east and north
+};
+
 /// A direction that may hold a source in this hop. `energy` is E in ODAS's scale: about 1 for one coherent
-/// plane wave, 0.05 to 0.1 for noise; it does not depend on the level.
+/// plane wave, 0.05 to 0.1 for noise; it does not depend on the level. `evidence` and `covariance` are told
+/// by the localizers that know them.
 struct Potential {
   Vec3 direction{0, 0, 1};
   float energy = 0;
+  float evidence = 0;  // ln p(what was heard | a source is there) / p(... | none is)
+  TangentCovariance covariance{};
 };
 
 /// What a followed source is. `undefined`: an empty slot, or nobody asked.

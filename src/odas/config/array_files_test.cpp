@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(configs, ArrayFile, ::testing::ValuesIn(names()),
 TEST_P(ArrayFile, loads_without_a_warning) { EXPECT_TRUE(test::clean(loaded_)); }
 
 TEST_P(ArrayFile, takes_what_all_arrays_have_in_common) {
-  EXPECT_EQ(pipeline_.ssl.weighting, "snr");
+  EXPECT_EQ(pipeline_.ssl.mode, "srp_clean");
   EXPECT_EQ(pipeline_.sss.lookback, 300);
   EXPECT_FLOAT_EQ(pipeline_.classify.voicing_min, 0.35F);
   EXPECT_FLOAT_EQ(pipeline_.sst.active.at(0).mu, 0.16F);

@@ -123,7 +123,8 @@ std::string describe_search(const Configuration& config, const Pipeline::Plan& p
   const SslConfig& ssl = config.pipeline.ssl;
   std::string text = "\nSearch\n";
   text += line("directions", listened_to(config, plan));
-  text += line("weighting", ssl.weighting);
+  text += line("method", ssl.mode);
+  if (ssl.mode == "srp_phat") text += line("weighting", ssl.weighting);
   text += line("potentials", std::to_string(ssl.n_pots) + " in each hop");
   text += line("lags", whole(plan.lags) + " of each cross-correlation, " + std::to_string(ssl.interp_rate) +
                            " to a sample");
