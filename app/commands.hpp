@@ -18,6 +18,7 @@ void add_array(CLI::App& app);
 void add_arrays(CLI::App& app);
 void add_check(CLI::App& app);
 void add_devices(CLI::App& app);
+void add_learn_noise(CLI::App& app);
 void add_live(CLI::App& app);
 void add_run(CLI::App& app);
 void add_simulate(CLI::App& app);

@@ -51,16 +51,23 @@ int say_end(const RunSummary& summary, const std::string& program) {
 }
 
 std::string describe(const Metrics& metrics) {
+  const std::string echo =
+      metrics.echo_return_loss_db != 0
+          ? fmt::format("\nthe machine's own voice was lowered by {:.1f} dB", metrics.echo_return_loss_db)
+          : "";
   const auto us = [](std::chrono::nanoseconds time) { return static_cast<double>(time.count()) / 1000; };
   return fmt::format(
-      "{} hops, {:.2f} s of sound; a hop took {:.0f} us (median), {:.0f} us (p99), {:.0f} us (longest): "
-      "{:.2f} % of real time\n"
-      "{} hops dropped, {} lost by peers; {} blocks and {} frames of the source lost; {} samples clipped, {} "
-      "not finite",
-      metrics.hops, metrics.sound_seconds, us(metrics.hop_time.quantile(0.5)),
-      us(metrics.hop_time.quantile(0.99)), us(metrics.hop_time.max()), 100 * metrics.real_time_share(),
-      metrics.dropped_hops, metrics.lost_records, metrics.overruns, metrics.lost_frames,
-      metrics.clipped_samples, metrics.non_finite_samples);
+             "{} hops, {:.2f} s of sound; a hop took {:.0f} us (median), {:.0f} us (p99), {:.0f} us "
+             "(longest): "
+             "{:.2f} % of real time\n"
+             "{} hops dropped, {} lost by peers; {} blocks and {} frames of the source lost; {} samples "
+             "clipped, {} "
+             "not finite",
+             metrics.hops, metrics.sound_seconds, us(metrics.hop_time.quantile(0.5)),
+             us(metrics.hop_time.quantile(0.99)), us(metrics.hop_time.max()), 100 * metrics.real_time_share(),
+             metrics.dropped_hops, metrics.lost_records, metrics.overruns, metrics.lost_frames,
+             metrics.clipped_samples, metrics.non_finite_samples) +
+         echo;
 }
 
 }  // namespace odas

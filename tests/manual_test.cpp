@@ -40,7 +40,7 @@ Words commands() {
   std::string help = help_of("");
   help.erase(0, help.find("Subcommands:"));
   help.resize(std::min(help.find("\n\n"), help.size()));  // examples follow, which begin with odas
-  return all_matches(help, std::regex(R"((?:^|\n)  ([a-z]+) )"));
+  return all_matches(help, std::regex(R"((?:^|\n)  ([a-z-]+) )"));
 }
 
 /// The lines of the options alone: the examples below them name options of other commands, too.

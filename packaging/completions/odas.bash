@@ -19,13 +19,14 @@ _odas() {
     -o | --out) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -d -- "$cur"); return ;;
   esac
   case $command in
-    '') options='run live studio devices arrays array check tune targets simulate score -h --help --version' ;;
+    '') options='run live studio devices arrays array check tune learn-noise targets simulate score -h --help --version' ;;
     run) options='-h --help -c --config -o --out --odas-files' ;;
     live) options='-h --help -c --config -v --verbose --studio' ;;
     studio) options='-h --help -l --listen --token --recordings --play --loop --odas --no-qr --any-port' ;;
     devices) options='-h --help --json' ;;
     array) options='-h --help --svg --png --tdoa-error' ;;
     tune) options='-h --help -o --out --silence --talk --svg --png --seconds' ;;
+    learn-noise) options='-h --help -o --out --seconds --entries --anyway' ;;
     arrays) options='-h --help -p --paths' ;;
     simulate) options='-h --help -o --out --flac' ;;
     score) options='-h --help --json' ;;

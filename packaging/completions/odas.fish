@@ -7,6 +7,7 @@ complete -c odas -n __fish_use_subcommand -f -a devices -d 'List microphones and
 complete -c odas -n __fish_use_subcommand -f -a arrays -d 'List the arrays that are known by name'
 complete -c odas -n __fish_use_subcommand -f -a array -d 'Check the geometry of an array, and draw it'
 complete -c odas -n __fish_use_subcommand -f -a tune -d 'Measure silence and talk, and tune to them'
+complete -c odas -n __fish_use_subcommand -f -a learn-noise -d 'Learn the noise of the machine itself'
 complete -c odas -n __fish_use_subcommand -f -a simulate -d 'Make a recording, and its truth, of a scene'
 complete -c odas -n __fish_use_subcommand -f -a score -d 'Hold what was heard against the truth'
 complete -c odas -n __fish_use_subcommand -f -a targets -d 'Add, move and remove the fixed directions of a run'
@@ -15,7 +16,7 @@ complete -c odas -s h -l help -d 'Help'
 complete -c odas -n __fish_use_subcommand -l version -d 'Version'
 
 complete -c odas -n '__fish_seen_subcommand_from run live' -s c -l config -r -d 'Configuration'
-complete -c odas -n '__fish_seen_subcommand_from live check array tune' -a "(odas arrays 2>/dev/null | string replace -r '  +' \t)"
+complete -c odas -n '__fish_seen_subcommand_from live check array tune learn-noise' -a "(odas arrays 2>/dev/null | string replace -r '  +' \t)"
 complete -c odas -n '__fish_seen_subcommand_from run simulate' -s o -l out -r -a '(__fish_complete_directories)' -d 'Folder to write to'
 complete -c odas -n '__fish_seen_subcommand_from run' -l odas-files -d "ODAS's own formats, too"
 complete -c odas -n '__fish_seen_subcommand_from live' -s v -l verbose -d 'Say at the end what it has cost'
@@ -38,6 +39,10 @@ complete -c odas -n '__fish_seen_subcommand_from tune' -r -s o -l out -d 'Tuned 
 complete -c odas -n '__fish_seen_subcommand_from tune' -r -l silence -d 'Recording in which nobody speaks'
 complete -c odas -n '__fish_seen_subcommand_from tune' -r -l talk -d 'Recording in which one person speaks'
 complete -c odas -n '__fish_seen_subcommand_from tune' -x -l seconds -d 'Length of each measurement'
+complete -c odas -n '__fish_seen_subcommand_from learn-noise' -r -s o -l out -d 'Dictionary to write'
+complete -c odas -n '__fish_seen_subcommand_from learn-noise' -x -l seconds -d 'How long to listen'
+complete -c odas -n '__fish_seen_subcommand_from learn-noise' -x -l entries -d 'Most states to tell apart'
+complete -c odas -n '__fish_seen_subcommand_from learn-noise' -l anyway -d 'Take recordings that are as uneven as speech'
 complete -c odas -n '__fish_seen_subcommand_from simulate' -l flac -d 'Write mics.flac'
 complete -c odas -n '__fish_seen_subcommand_from score' -l json -d 'Print one JSON object'
 complete -c odas -n '__fish_seen_subcommand_from targets' -x -l add -d 'Add or move one: TAG=AZIMUTH,ELEVATION'

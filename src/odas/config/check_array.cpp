@@ -71,6 +71,33 @@ void check_mapping(const Configuration& config, CheckReport& report) {
   }
 }
 
+void check_reference(const Configuration& config, CheckReport& report) {
+  const MappingConfig& mapping = config.mapping;
+  if (mapping.reference.empty()) {
+    if (report.written("mapping.echoLength")) {
+      report.warning("mapping.echoLength", "has no effect without mapping.reference");
+    }
+    return;
+  }
+  if (!report.sound("mapping.reference")) return;
+  const auto mics = static_cast<int>(config.pipeline.general.mics.size());
+  std::set<int> seen;
+  for (std::size_t i = 0; i < mapping.reference.size(); ++i) {
+    const std::string path = item("mapping.reference", i);
+    const int channel = mapping.reference[i];
+    const std::string name = "channel " + std::to_string(channel);
+    const bool is_mic = mapping.map.empty() ? channel <= mics
+                                            : std::count(mapping.map.begin(), mapping.map.end(), channel) > 0;
+    if (report.sound("raw.nChannels") && channel > config.raw.n_channels) {
+      report.error(path, "is " + name + ", but raw.nChannels is " + std::to_string(config.raw.n_channels));
+    } else if (is_mic) {
+      report.warning(path, name + " is a microphone, too: it will hear nothing");
+    } else if (!seen.insert(channel).second) {
+      report.warning(path, name + " is a reference already");
+    }
+  }
+}
+
 void check_size(const GeneralConfig& general, CheckReport& report) {
   const auto [hop, frame] = general.size;
   if (!report.sound("general.size")) return;
@@ -184,6 +211,7 @@ void check_array(const Configuration& config, CheckReport& report) {
   check_rates(config, report);
   check_size(general, report);
   check_mapping(config, report);
+  check_reference(config, report);
   check_mics(config, report);
   if (!general.spatialfilters) return;
   for (std::size_t i = 0; i < std::min<std::size_t>(general.spatialfilters->size(), kMaxMics); ++i) {

@@ -31,6 +31,24 @@ TEST(CheckArray, doubts_maps_that_leave_microphones_without_a_channel_of_their_o
   EXPECT_TRUE(errs(read_with("mapping: { map = (1, 0); };"), "mapping.map", "fewer than two microphones"));
 }
 
+TEST(CheckArray, wants_a_reference_that_is_there_and_is_no_microphone) {
+  EXPECT_TRUE(errs(read_with("mapping: { reference = (3); };"), "mapping.reference[0]",
+                   "is channel 3, but raw.nChannels is 2"));
+  EXPECT_TRUE(warns(read_with("mapping: { reference = (2); };"), "mapping.reference[0]",
+                    "channel 2 is a microphone, too"));
+  const auto four = [](std::string_view mapping) {
+    std::string text(test::kLeast);
+    text.replace(text.find("nChannels = 2"), 13, "nChannels = 4");
+    return read_configuration_text(text + std::string(mapping), "test.cfg");
+  };
+  EXPECT_TRUE(warns(four("mapping: { map = (3, 4); reference = (4); };"), "mapping.reference[0]",
+                    "channel 4 is a microphone, too"));
+  EXPECT_TRUE(warns(four("mapping: { reference = (3, 3); };"), "mapping.reference[1]",
+                    "channel 3 is a reference already"));
+  EXPECT_TRUE(warns(read_with("mapping: { echoLength = 200.0; };"), "mapping.echoLength", "has no effect"));
+  EXPECT_TRUE(clean(four("mapping: { reference = (3, 4); echoLength = 200.0; };")));
+}
+
 TEST(CheckArray, wants_the_hop_within_the_frame) {
   EXPECT_TRUE(errs(read_changed("general: {", "general: { size: { hopSize = 512; frameSize = 256; };"),
                    "general.size.hopSize", "is 512, must be at most frameSize, which is 256"));

@@ -195,6 +195,19 @@ std::string describe_time(const Configuration& config, const Pipeline::Plan& pla
                                                              : config.raw.format + ", ") +
                                   std::to_string(config.raw.n_channels) + " channels, blocks of " +
                                   ms(config.raw.hop_size, config.raw.fs));
+  if (!config.mapping.reference.empty()) {
+    std::string channels;
+    for (const int channel : config.mapping.reference) {
+      channels += (channels.empty() ? "" : ", ") + std::to_string(channel);
+    }
+    text += line("own voice", "channel " + channels + "; echoes up to " +
+                                  number_text(config.mapping.echo_length) + " ms are taken out");
+  }
+  if (!config.pipeline.known_noise.empty()) {
+    const std::size_t entries = config.pipeline.known_noise.entries.size();
+    text += line("known noise",
+                 config.pipeline.sss.noise + ", " + whole(entries) + (entries == 1 ? " state" : " states"));
+  }
   text += line("processing", std::to_string(rate) + " Hz" + (config.raw.fs == rate ? "" : ", resampled"));
   text += line("hop", std::to_string(size.hop_size) + " samples, " + ms(size.hop_size, rate));
   text += line("frame", std::to_string(size.frame_size) + " samples, " + ms(size.frame_size, rate) +

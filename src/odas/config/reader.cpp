@@ -7,6 +7,7 @@
 
 #include "odas/config/checks.hpp"
 #include "odas/config/defaults.hpp"
+#include "odas/config/noise_file.hpp"
 #include "odas/config/setting_reader.hpp"
 #include "odas/config/source_text.hpp"
 
@@ -27,6 +28,19 @@ std::string syntax_fault(const libconfig::ParseException& error, const SourceTex
   return near.empty() ? what : what + ", near: " + near;
 }
 
+/// The dictionary that sss.noise names, from beside the configuration.
+void read_noise(LoadedConfiguration& loaded, const std::filesystem::path& configuration) {
+  PipelineConfig& config = loaded.config.pipeline;
+  CheckReport report(loaded.locations, loaded.faults);
+  if (config.sss.noise.empty() || !loaded.ok()) return;
+  try {
+    NoiseDictionary noise = read_noise_file(configuration.parent_path() / config.sss.noise);
+    const std::string misfit = misfit_of(noise, config);
+    if (!misfit.empty()) return report.error("sss.noise", misfit);
+    config.known_noise = std::move(noise);
+  } catch (const IoError& error) { report.error("sss.noise", error.what()); }
+}
+
 LoadedConfiguration read(const SourceText& source, std::vector<Fault> faults) {
   LoadedConfiguration loaded;
   loaded.locations.set_file(source.name());
@@ -42,6 +56,7 @@ LoadedConfiguration read(const SourceText& source, std::vector<Fault> faults) {
       check_configuration(loaded.config, loaded.locations, loaded.faults);
       SizeConfig& size = loaded.config.pipeline.general.size;
       size.frame_size -= size.frame_size % 2;  // as ODAS has it; warned of by the checks
+      read_noise(loaded, source.name());
     } catch (const libconfig::ParseException& error) {
       const Location where = source.location(error.getLine());
       loaded.faults.push_back(

@@ -81,6 +81,13 @@ Schema MappingConfig::schema() {
       field<&MappingConfig::map>(
           "map", "", {0, 1024},
           "input channel of each microphone, from 1; 0 is silence; absent: 1, 2, 3, ..."),
+      field<&MappingConfig::reference>(
+          "reference", "", {1, 1024},
+          "input channels, from 1, that carry what the machine itself plays; its "
+          "echo is taken out of all microphones; absent: none, as ODAS"),
+      field<&MappingConfig::echo_length>("echoLength", "ms", {1, 2000},
+                                         "longest echo that is taken out: the delay of the playing and the "
+                                         "first part of the room's reverberation"),
   };
   return fields;
 }

@@ -51,7 +51,9 @@ struct RawConfig {
 
 /// Which input channel is which microphone: section `mapping`.
 struct MappingConfig {
-  std::vector<int> map;  // 1-based; 0: silence; empty: 1, 2, 3, ...
+  std::vector<int> map;        // 1-based; 0: silence; empty: 1, 2, 3, ...
+  std::vector<int> reference;  // 1-based: what the machine plays; empty: unknown
+  float echo_length = 300;     // ms
   static Schema schema();
 };
 

@@ -13,6 +13,12 @@
 namespace odas {
 namespace {
 
+double power(std::span<const float> x) {
+  double sum = 0;
+  for (const float v : x) sum += static_cast<double>(v) * static_cast<double>(v);
+  return sum;
+}
+
 /// Channel c holds c + 1 everywhere.
 Grid<float> numbered(std::size_t channels, std::size_t frames) {
   Grid<float> block(channels, frames);
@@ -112,10 +118,75 @@ TEST(FrontEnd, brings_a_recording_to_the_processing_rate) {
   EXPECT_LT(error, 2e-3F);
 }
 
+/// What the machine plays is channel 3; microphone 1 hears half of it.
+TEST(FrontEnd, takes_what_the_machine_plays_out_of_the_microphones) {
+  for (const int rate : {16000, 48000}) {
+    Configuration config = test::small_configuration(2);
+    config.mapping.reference = {3};
+    config.mapping.echo_length = 20;
+    FrontEnd front_end(config, 3, rate);
+    EXPECT_EQ(front_end.mics(), 2U);
+    const Grid<float> sound = test::noise(2, 5 * 48000);
+    Grid<float> block(3, 128);
+    Grid<float> hop(2, 128);
+    double first = 0;
+    double last = 0;
+    for (std::size_t at = 0; at + 128 <= sound.cols(); at += 128) {
+      for (std::size_t i = 0; i < 128; ++i) {
+        block[0][i] = 0.5F * sound[0][at + i];
+        block[1][i] = sound[1][at + i];
+        block[2][i] = sound[0][at + i];
+      }
+      front_end.push(block);
+      for (; front_end.pop(hop); last = power(hop[0])) {
+        if (first == 0) first = power(hop[0]);
+      }
+    }
+    EXPECT_LT(last, 0.01 * first) << rate;
+    EXPECT_GT(front_end.echo_return_loss_db(), 0) << rate;
+  }
+}
+
+TEST(FrontEnd, changes_no_bit_for_a_reference_that_is_dead) {
+  Configuration config = test::small_configuration(2);
+  config.raw.hop_size = 300;
+  FrontEnd plain(config, 3, 16000);
+  config.mapping.reference = {3};
+  FrontEnd with_reference(config, 3, 16000);
+  Grid<float> block = test::noise(3, 300);
+  std::fill(block[2].begin(), block[2].end(), 0.F);
+  Grid<float> expected(2, 128);
+  Grid<float> hop(2, 128);
+  const auto compare = [&] {
+    for (std::size_t i = 0; i < 256; ++i) EXPECT_EQ(hop.data()[i], expected.data()[i]);
+  };
+  for (int b = 0; b < 5; ++b) {
+    plain.push(block);
+    with_reference.push(block);
+    while (plain.pop(expected)) {
+      ASSERT_TRUE(with_reference.pop(hop));
+      compare();
+    }
+  }
+  plain.finish();
+  with_reference.finish();
+  ASSERT_TRUE(plain.pop_rest(expected));
+  ASSERT_TRUE(with_reference.pop_rest(hop));
+  compare();
+}
+
+TEST(FrontEnd, refuses_a_reference_that_is_not_there) {
+  Configuration config = test::small_configuration(2);
+  config.mapping.reference = {4};
+  EXPECT_THROW(FrontEnd(config, 3, 16000), ConfigError);
+}
+
 TEST(FrontEnd, allocates_nothing_for_a_block) {
   for (const int rate : {16000, 48000}) {
-    FrontEnd front_end(test::small_configuration(3), 3, rate);
-    const Grid<float> block = test::noise(3, 128);
+    Configuration config = test::small_configuration(3);
+    config.mapping.reference = {4};
+    FrontEnd front_end(config, 4, rate);
+    const Grid<float> block = test::noise(4, 128);
     Grid<float> hop(3, 128);
     const auto before = test::allocations();
     for (int i = 0; i < 20; ++i) {

@@ -34,6 +34,7 @@ Metrics HopLoop::metrics() const noexcept {
   metrics.sound_seconds = static_cast<double>(hops_) * static_cast<double>(pipeline_.hop_size()) /
                           static_cast<double>(pipeline_.sample_rate());
   metrics.non_finite_samples = front_end_.non_finite_samples() + pipeline_.non_finite_samples();
+  metrics.echo_return_loss_db = front_end_.echo_return_loss_db();
   return metrics;
 }
 

@@ -39,6 +39,7 @@ struct Metrics {
   std::uint64_t skipped_hops = 0;        // stamps without a hop, for what was lost
   std::uint64_t clipped_samples = 0;     // of the output
   std::uint64_t non_finite_samples = 0;  // of the input, taken as silence
+  double echo_return_loss_db = 0;        // of the last seconds in which the machine was heard; 0: none
 
   /// Share of real time that the engine's thread was busy.
   [[nodiscard]] double real_time_share() const noexcept;

@@ -10,6 +10,10 @@ std::size_t lookback_hops(const PipelineConfig& config) {
   return static_cast<std::size_t>(std::lround(static_cast<double>(config.sss.lookback) / hop_ms));
 }
 
+std::size_t separation_frame(const PipelineConfig& config) {
+  return static_cast<std::size_t>(config.general.size.frame_size) / 2 * 2;
+}
+
 double voice_delay_s(const PipelineConfig& config) {
   const SizeConfig& size = config.general.size;
   const int frame = size.frame_size / 2 * 2;  // as the pipeline takes it

@@ -6,6 +6,7 @@
 #include "odas/array/config.hpp"
 #include "odas/classification/config.hpp"
 #include "odas/dsp/mcra_config.hpp"
+#include "odas/dsp/noise_dictionary.hpp"
 #include "odas/localization/config.hpp"
 #include "odas/separation/config.hpp"
 #include "odas/tracking/config.hpp"
@@ -34,11 +35,15 @@ struct PipelineConfig {
   SstConfig sst;
   SssConfig sss;
   ClassifyConfig classify;
+  NoiseDictionary known_noise;  // what sss.noise names; empty: none
   Wanted wanted;
 };
 
 /// `sss.lookback` in whole hops, the nearest number.
 [[nodiscard]] std::size_t lookback_hops(const PipelineConfig& config);
+
+/// The frame of separation, samples; even.
+[[nodiscard]] std::size_t separation_frame(const PipelineConfig& config);
 
 /// By how much separated and post-filtered audio comes later than the microphones, s: hop n of the audio
 /// ends with the sound that the microphones heard this long before the end of hop n. For the overlap of the

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "odas/pipeline/pipeline.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
 
 #include "odas/classification/registry.hpp"
 #include "odas/dsp/mcra.hpp"
+#include "odas/dsp/noise_field.hpp"
 #include "odas/dsp/stft.hpp"
 #include "odas/localization/registry.hpp"
 #include "odas/pipeline/input_guard.hpp"
@@ -30,6 +32,13 @@ struct Stages {
   bool post_filter, classifier, separated, beamformer, tracker, localizer;
 };
 
+/// Whether a source that is followed sounds.
+bool anybody_speaks(std::span<const Track> tracks) noexcept {
+  constexpr float kSounds = 0.5F;
+  return std::any_of(tracks.begin(), tracks.end(),
+                     [](const Track& track) { return track.id != 0 && track.activity > kSounds; });
+}
+
 std::size_t size(int value) { return static_cast<std::size_t>(value); }
 
 }  // namespace
@@ -50,6 +59,7 @@ struct Pipeline::Parts {
   Stft stft;
   LookBack lookback;
   std::optional<Mcra> noise;
+  std::optional<NoiseField> known_noise;  // of the machine itself
   std::unique_ptr<Localizer> localizer;
   std::unique_ptr<Tracker> tracker;
   Muting muting;
@@ -90,6 +100,10 @@ Pipeline::Parts::Parts(const PipelineConfig& config)
   }
   if (stages.beamformer) {
     beamformer = make_beamformer(config.sss, config.general, slots());
+    if (!config.known_noise.empty()) {
+      known_noise.emplace(config.known_noise);
+      beamformer->use_noise(&*known_noise);
+    }
     beams = Grid<cfloat>(slots(), stft.bins());
   }
   if (stages.separated) {
@@ -130,6 +144,7 @@ HopResult Pipeline::process_hop(GridView<const float> mics) noexcept {
   // Voices are heard as they were some hops ago, by what is known now.
   const GridView<const cfloat> then = p.lookback.spectra();
   const std::span<const Track> voices = p.lookback.recall(p.tracks);
+  if (p.known_noise) p.known_noise->update(then, anybody_speaks(voices));
   if (p.beamformer) p.beamformer->separate(then, voices, p.beams);
   if (p.separated_istft) p.separated_istft->synthesise(p.beams, p.separated);
   if (p.classifier) p.classifier->classify(p.separated, p.tracks);
@@ -187,6 +202,7 @@ void Pipeline::reset() noexcept {
   if (p.noise) p.noise->reset();
   if (p.localizer) p.localizer->reset();
   if (p.tracker) p.tracker->reset();
+  if (p.known_noise) p.known_noise->reset();
   if (p.beamformer) p.beamformer->reset();
   if (p.separated_istft) p.separated_istft->reset();
   if (p.classifier) p.classifier->reset();

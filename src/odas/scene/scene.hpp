@@ -33,6 +33,7 @@ struct SceneSource {
   std::vector<float> sound;    // at the rate of the scene, from its beginning; shorter is padded by silence
   std::vector<Waypoint> path;  // not empty, times rising; straight in azimuth, elevation, distance between
   bool is_target = true;       // false: directional noise, which is not in the truth
+  bool is_played = false;      // by the machine itself: SimulatedScene::played knows it
 };
 
 enum class NoiseColour { white, pink, fan };
@@ -77,6 +78,7 @@ struct SimulatedScene {
   Grid<float> mics;                        // [mic][sample]
   std::vector<std::vector<float>> images;  // [target][sample]: it alone, as the first microphone hears it
   std::vector<SourceTruth> truth;          // [target]
+  std::vector<float> played;               // [sample]: what the machine plays; empty where nothing is
   float scale = 1;                         // what all was multiplied by, so that nothing clips
 };
 

@@ -140,7 +140,8 @@ class SceneFile {
       recipe.pitch = static_cast<int>(source.number("pitch", 50, {0, 99}));
     }
     if (source.has("noise")) recipe.colour = static_cast<NoiseColour>(source.choice("noise", 0, kColours));
-    result.is_target = source.flag("target", !source.has("noise"));
+    result.is_played = source.flag("played", false);
+    result.is_target = source.flag("target", !source.has("noise") && !result.is_played);
     recipe.start = source.number("start", 0, {0, 3600});
     recipe.gain_db = static_cast<float>(source.number("gain_db", 0, {-80, 40}));
     read_path(source, result);

@@ -67,8 +67,15 @@ void write_scene(const Scene& scene, const SimulatedScene& result, RecordingForm
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
-  const bool flac = format == RecordingFormat::flac && scene.mics.size() <= kMostChannelsOfFlac;
-  write_sound(folder / (flac ? "mics.flac" : "mics.wav"), result.mics, scene.sample_rate,
+  const bool flac = format == RecordingFormat::flac &&
+                    scene.mics.size() + (result.played.empty() ? 0 : 1) <= kMostChannelsOfFlac;
+  // What the machine plays is one more channel: its reference.
+  Grid<float> channels(result.mics.rows() + (result.played.empty() ? 0 : 1), result.mics.cols());
+  for (std::size_t m = 0; m < channels.rows(); ++m) {
+    const auto sound = m < result.mics.rows() ? result.mics[m] : std::span<const float>(result.played);
+    std::copy(sound.begin(), sound.end(), channels[m].begin());
+  }
+  write_sound(folder / (flac ? "mics.flac" : "mics.wav"), channels, scene.sample_rate,
               flac ? SF_FORMAT_FLAC : SF_FORMAT_WAV);
   for (std::size_t k = 0; k < result.images.size(); ++k) {
     const GridView<const float> image(result.images[k].data(), 1, result.images[k].size());

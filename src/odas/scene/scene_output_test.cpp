@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sndfile.h>
 #include <unistd.h>
 
 #include "odas/base/error.hpp"
@@ -45,6 +46,25 @@ TEST_F(SceneOutput, Sounds_are_written_to_16_bit) {
       ASSERT_NEAR(mics[n], result_.mics[0][n], 0.51 / 32768);
       ASSERT_NEAR(image[n], result_.images[0][n], 0.51 / 32768);
     }
+  }
+}
+
+TEST_F(SceneOutput, What_the_machine_plays_is_the_last_channel) {
+  scene_.sources[0].is_played = true;
+  scene_.sources[0].is_target = false;
+  const SimulatedScene result = simulate(scene_);
+  EXPECT_EQ(result.mics.rows(), 2U);
+  EXPECT_EQ(result.mics[0][4000], result_.mics[0][4000]) << "it is heard as any other";
+  write_scene(scene_, result, RecordingFormat::wav, folder_);
+  SF_INFO info{};
+  SNDFILE* file = sf_open((folder_ / "mics.wav").c_str(), SFM_READ, &info);
+  ASSERT_NE(file, nullptr);
+  ASSERT_EQ(info.channels, 3);
+  std::vector<float> frames(3 * 8000);
+  EXPECT_EQ(sf_readf_float(file, frames.data(), 8000), 8000);
+  sf_close(file);
+  for (std::size_t n = 0; n < 8000; ++n) {
+    ASSERT_NEAR(frames[3 * n + 2], scene_.sources[0].sound[n], 0.51 / 32768) << n;
   }
 }
 

@@ -151,6 +151,7 @@ void avoid_clipping(SimulatedScene& scene) {
   for (std::size_t m = 0; m < scene.mics.rows(); ++m) {
     for (float& x : scene.mics[m]) x *= scene.scale;
   }
+  for (float& x : scene.played) x *= scene.scale;
   for (auto& image : scene.images) {
     for (float& x : image) x *= scene.scale;
   }
@@ -172,6 +173,11 @@ SimulatedScene simulate(const Scene& scene, const std::function<void(double)>& p
     SceneSource source = scene.sources[s];
     if (scene.rt60 > 0) block_dc(source.sound, scene.sample_rate);
     report(static_cast<double>(s) / parts);
+    if (source.is_played) {
+      result.played.resize(scene.samples());
+      const std::size_t end = std::min(source.sound.size(), result.played.size());
+      for (std::size_t n = 0; n < end; ++n) result.played[n] += scene.sources[s].sound[n];
+    }
     Grid<float> image(scene.mics.size(), scene.samples());
     play(scene, room, source, image);
     add_scaled(image, 1, source.is_target ? targets : result.mics);

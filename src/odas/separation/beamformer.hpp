@@ -8,6 +8,8 @@
 
 namespace odas {
 
+class NoiseField;
+
 /// Gives each track the sound from its direction: y = sum over mics of W_m x_m, per slot and bin.
 ///
 /// Shapes: spectra [mic][bin], tracks [slot], beams [slot][bin].
@@ -23,6 +25,10 @@ class Beamformer {
   /// [mic][bin]: the demixing weights W that the last hop applied; zero where a microphone does not hear
   /// the direction, and in empty slots.
   [[nodiscard]] virtual GridView<const cfloat> weights(std::size_t slot) const noexcept = 0;
+
+  /// The machine's own noise, for those that can null it; it outlives the beamformer. Called once, if at all,
+  /// before the first hop.
+  virtual void use_noise(const NoiseField* /*noise*/) noexcept {}
 
   /// The state after construction, exactly.
   virtual void reset() noexcept = 0;

@@ -46,6 +46,10 @@ Schema SssConfig::schema() {
   static const std::vector<Field> fields{
       field<&SssConfig::mode_sep>("mode_sep", "", kAny, "beamformer", {"dds", "dgss", "dmvdr"}),
       field<&SssConfig::mode_pf>("mode_pf", "", kAny, "post-filter", {"ms", "ss"}),
+      field<&SssConfig::noise>(
+          "noise", "", kAny,
+          "file with the machine's own noise, made by odas learn-noise; relative to this "
+          "configuration; absent: none is known, as ODAS"),
       field<&SssConfig::lookback>("lookback", "ms", {0, 5000},
                                   "how long before its track was found a voice's audio begins; all "
                                   "separated audio comes later by as much; 0: none, as ODAS"),

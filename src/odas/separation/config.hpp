@@ -41,6 +41,7 @@ struct SingleSourceFilterConfig {
 struct SssConfig {
   std::string mode_sep = "dds";
   std::string mode_pf = "ss";
+  std::string noise;   // file of a NoiseDictionary; empty: none is known
   float lookback = 0;  // ms
   float gain_sep = 1;
   float gain_pf = 1;
