@@ -15,7 +15,11 @@ Schema ScanConfig::schema() {
 
 Schema SslConfig::schema() {
   static const std::vector<Field> fields{
-      field<&SslConfig::mode>("mode", "", kAny, "how directions are found", {"srp_phat"}),
+      field<&SslConfig::mode>(
+          "mode", "", kAny,
+          "how directions are found: srp_phat, as ODAS; srp_clean, from onsets over the noise, "
+          "off the grid, with evidence and uncertainty",
+          {"srp_phat", "srp_clean"}),
       field<&SslConfig::n_pots>("nPots", "", {1, 64}, "potential directions found in each hop"),
       field<&SslConfig::n_matches>("nMatches", "", {1, 10000},
                                    "coarse directions that each fine direction is reached from"),
@@ -25,10 +29,12 @@ Schema SslConfig::schema() {
                                           "how finely an automatic delta is trained"),
       field<&SslConfig::interp_rate>("interpRate", "", {1, 64}, "oversampling of the cross-correlation"),
       field<&SslConfig::scans>("scans", "", kAny, "the search, from coarse to fine"),
-      field<&SslConfig::weighting>(
-          "weighting", "", kAny,
-          "none: all bins count alike, as in ODAS; snr: each bin counts by its signal-to-noise ratio",
-          {"none", "snr"}),
+      field<&SslConfig::weighting>("weighting", "", kAny,
+                                   "of srp_phat: none: all bins count alike, as in ODAS; snr: each bin "
+                                   "counts by its signal-to-noise ratio",
+                                   {"none", "snr"}),
+      field<&SslConfig::averaging>("averaging", "ms", {0, 10000},
+                                   "time constant over which srp_clean averages the correlations"),
   };
   return fields;
 }

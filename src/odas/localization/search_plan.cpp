@@ -54,7 +54,7 @@ SearchPlan::Cell make_cell(const ScanLevel& level, const std::vector<std::size_t
 }
 
 std::size_t bytes_of(const SearchPlan& plan) {
-  std::size_t bytes = plan.fine_lags.rows() * plan.fine_lags.cols() * sizeof(std::int16_t);
+  std::size_t bytes = plan.fine_lags.rows() * plan.fine_lags.cols() * (sizeof(std::int16_t) + 1);
   for (const auto& level : plan.levels) {
     bytes += level.directions.size() * sizeof(Vec3);
     for (const auto& cell : level.cells) {
@@ -125,8 +125,10 @@ SearchPlan::SearchPlan(const GeneralConfig& general, const SslConfig& ssl) {
 
   const ScanLevel& finest = scans.back();
   fine_lags = Grid<std::int16_t>(finest.grid().size(), pairs.size());
+  fine_heard = Grid<std::uint8_t>(finest.grid().size(), pairs.size());
   for (std::size_t u = 0; u < fine_lags.rows(); ++u) {
     std::copy(finest.lags(u).begin(), finest.lags(u).end(), fine_lags[u].begin());
+    std::copy(finest.mask(u).begin(), finest.mask(u).end(), fine_heard[u].begin());
   }
   summary.pairs = every_pair.size();
   summary.pairs_used = pairs.size();

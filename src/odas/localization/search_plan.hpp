@@ -34,11 +34,12 @@ struct SearchPlan {
     std::vector<Cell> cells;               // one for the first level, else one per point of the level above
   };
 
-  std::vector<Pair> pairs;       // those that hear at least one direction
-  std::vector<Level> levels;     // coarse to fine
-  Grid<std::int16_t> fine_lags;  // [point of the finest grid][pair]
-  std::size_t half_lags = 0;     // lags -half_lags .. half_lags are computed
-  std::size_t row_size = 0;      // columns of a correlation row
+  std::vector<Pair> pairs;        // those that hear at least one direction
+  std::vector<Level> levels;      // coarse to fine
+  Grid<std::int16_t> fine_lags;   // [point of the finest grid][pair]
+  Grid<std::uint8_t> fine_heard;  // [point of the finest grid][pair]: 1 where the pair hears it
+  std::size_t half_lags = 0;      // lags -half_lags .. half_lags are computed
+  std::size_t row_size = 0;       // columns of a correlation row
   LocalizerPlan summary;
 
   /// Column of lag 0 is `half_lags`; this one is always zero, for pairs that do not hear a candidate.

@@ -7,6 +7,7 @@
 
 #include "odas/localization/kernels.hpp"
 #include "odas/localization/localizer.hpp"
+#include "odas/localization/peak_search.hpp"
 #include "odas/localization/search_plan.hpp"
 #include "odas/localization/snr_weights.hpp"
 
@@ -43,8 +44,6 @@ class SrpPhat final : public Localizer {
 
  private:
   void whiten(GridView<const cfloat> spectra) noexcept;
-  [[nodiscard]] Potential search() noexcept;
-  void draw_power_map(const SearchPlan::Cell& cell) noexcept;
   void cut_out(std::size_t point) noexcept;
 
   float epsilon_;
@@ -53,13 +52,9 @@ class SrpPhat final : public Localizer {
   std::optional<SnrWeights> weights_;
   Grid<float> re_, im_;       // [mic][bin, padded]: the whitened spectra
   Grid<float> correlations_;  // [pair][column]
-  Grid<float> maxima_;        // [pair][column]
   std::vector<float> scratch_;
-  std::vector<const float*> rows_;  // [pair]: of correlations_, or of maxima_ where delta > 0
-  std::vector<float> sums_;         // [candidate]
-  std::vector<float> power_;        // [direction of the coarsest grid], if kept
-  bool first_search_ = true;        // of this hop: nothing was cut out yet
-  std::size_t winner_ = 0;          // of the last search, in the finest grid
+  PeakSearch search_;
+  std::vector<float> power_;  // [direction of the coarsest grid], if kept
 };
 
 }  // namespace odas
