@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include "odas/io/hop_encoder.hpp"
 #include "odas/io/text_buffer.hpp"
 
@@ -10,7 +12,7 @@ constexpr Wanted kTracks{.potentials = false, .tracks = true, .separated = false
 constexpr std::size_t kUsualSize = 4096;
 constexpr std::size_t kFrameSize = 192;
 constexpr std::size_t kRowSize =
-    192 + 2 * TextBuffer::kIntegerSize + TextBuffer::quoted_size(63) + 6 * TextBuffer::kFixedSize;
+    192 + 2 * TextBuffer::kIntegerSize + TextBuffer::quoted_size(63) + 8 * TextBuffer::kFixedSize;
 
 /// `2025-01-31T12:00:00.125Z`: ISO 8601, universal time.
 void put_instant(TextBuffer& text, std::chrono::system_clock::time_point instant) {
@@ -112,12 +114,23 @@ void put_class(TextBuffer& text, Category category) {
   text.put(category == Category::speech ? "speech\"" : "nonspeech\"");
 }
 
+/// Along azimuth and along elevation, where it is known.
+void put_sigma(TextBuffer& text, const TangentCovariance& covariance) {
+  if (!(covariance.east > 0)) return;
+  text.put(",\"sigma_deg\":[");
+  text.put_fixed(degrees(std::sqrt(covariance.east)));
+  text.put(",");
+  text.put_fixed(degrees(std::sqrt(covariance.north)));
+  text.put("]");
+}
+
 void put_track(TextBuffer& text, const Track& track) {
   text.put(",\"tag\":");
   text.put_quoted(track.tag.view());
   put_direction(text, track.direction);
   text.put(",\"activity\":");
   text.put_fixed(track.activity);
+  put_sigma(text, track.covariance);
   put_class(text, track.category);
 }
 

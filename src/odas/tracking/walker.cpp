@@ -12,13 +12,13 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double square(double x) { return x * x; }
 
 // Of people in rooms, 1 to 4 m away. None of them is critical: half or twice of it costs little.
-constexpr double kDrift2 = square(0.5 * kDegree);         // rad^2/s of one who stands: the head, the weight
-constexpr double kTurning2 = square(15 * kDegree);        // (rad/s)^2 around the array, of one who walks
-constexpr double kRising2 = square(4 * kDegree);          // (rad/s)^2 up and down
-constexpr double kKeepsHeading = 2;                       // s
-constexpr double kStands = 4, kWalks = 3;                 // s, mean
-constexpr double kOutlier = 0.1, kOutlierSpread = 9;      // share of outliers, and their variance
-constexpr float kPolar = 0.94F;                           // sine of 70 degrees
+constexpr double kDrift2 = square(0.5 * kDegree);     // rad^2/s of one who stands: the head, the weight
+constexpr double kTurning2 = square(10 * kDegree);    // (rad/s)^2 around the array, of one who walks
+constexpr double kRising2 = square(4 * kDegree);      // (rad/s)^2 up and down
+constexpr double kKeepsHeading = 3;                   // s
+constexpr double kStands = 4, kWalks = 3;             // s, mean
+constexpr double kOutlier = 0.1, kOutlierSpread = 9;  // share of outliers, and their variance
+constexpr float kPolar = 0.94F;                       // sine of 70 degrees
 
 }  // namespace
 
@@ -114,8 +114,13 @@ Walker::Offset Walker::offset_of(Vec3 z) const noexcept {
   const double dx = static_cast<double>(z.x - u.x);
   const double dy = static_cast<double>(z.y - u.y);
   const double dz = static_cast<double>(z.z - u.z);
-  return {-sine * dx + cosine * dy,
-          -static_cast<double>(u.z) * (cosine * dx + sine * dy) + level * dz};
+  const double east = -sine * dx + cosine * dy;
+  const double north = -static_cast<double>(u.z) * (cosine * dx + sine * dy) + level * dz;
+  // As long as the arc is: the other end of the axis is not here.
+  const double flat = std::hypot(east, north);
+  const double arc = std::acos(std::clamp(static_cast<double>(dot(u, z)), -1.0, 1.0));
+  if (!(flat > 1e-6)) return {0, dot(u, z) > 0 ? 0 : arc};
+  return {east * arc / flat, north * arc / flat};
 }
 
 Walker::Fit Walker::fit(Offset offset, const TangentCovariance& noise) const noexcept {
@@ -148,7 +153,8 @@ void Walker::observe(Offset offset, const TangentCovariance& noise, double weigh
 void Walker::settle() noexcept {
   const double east = models_[0].weight * models_[0].east.x + models_[1].weight * models_[1].east.x;
   const double north = models_[0].weight * models_[0].north.x + models_[1].weight * models_[1].north.x;
-  const double level = std::max(std::hypot(static_cast<double>(direction_.x), static_cast<double>(direction_.y)), 0.0);
+  const double level =
+      std::max(std::hypot(static_cast<double>(direction_.x), static_cast<double>(direction_.y)), 0.0);
   const double cosine = level > 0 ? static_cast<double>(direction_.x) / level : 1;
   const double sine = level > 0 ? static_cast<double>(direction_.y) / level : 0;
   const double up = static_cast<double>(direction_.z);
@@ -161,9 +167,10 @@ void Walker::settle() noexcept {
                              static_cast<float>(std::cos(elevation) * (sine * c + cosine * s)),
                              static_cast<float>(std::sin(elevation))});
   } else {
-    direction_ = normalized({static_cast<float>(static_cast<double>(direction_.x) - sine * east - up * cosine * north),
-                             static_cast<float>(static_cast<double>(direction_.y) + cosine * east - up * sine * north),
-                             static_cast<float>(up + level * north)});
+    direction_ =
+        normalized({static_cast<float>(static_cast<double>(direction_.x) - sine * east - up * cosine * north),
+                    static_cast<float>(static_cast<double>(direction_.y) + cosine * east - up * sine * north),
+                    static_cast<float>(up + level * north)});
   }
   for (Model& model : models_) {
     model.east.x -= east;

@@ -66,7 +66,8 @@ class Walker {
     double weight = 0;
     Axis east, north;
   };
-  static void mix(Axis& standing, Axis& walking, double speed2, double to_standing, double to_walking) noexcept;
+  static void mix(Axis& standing, Axis& walking, double speed2, double to_standing,
+                  double to_walking) noexcept;
   static Axis joint(const Axis& a, double weight_a, const Axis& b, double weight_b) noexcept;
 
   double dt_, forget_;
