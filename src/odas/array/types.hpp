@@ -44,6 +44,7 @@ struct Track {
   Vec3 direction{};
   float activity = 0;                       // 0..1: how sure it is that the source sounds in this hop
   Category category = Category::undefined;  // written by the classifier, where it runs
+  TangentCovariance covariance{};           // of the direction, where the tracker knows it
 };
 
 }  // namespace odas

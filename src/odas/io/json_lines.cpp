@@ -18,7 +18,7 @@ constexpr float kNear = 15;  // degrees
 constexpr std::size_t kUsualSize = 4096;
 constexpr std::size_t kFrameSize = 192;
 constexpr std::size_t kRowSize =
-    192 + 2 * TextBuffer::kIntegerSize + TextBuffer::quoted_size(63) + 7 * TextBuffer::kFixedSize;
+    192 + 2 * TextBuffer::kIntegerSize + TextBuffer::quoted_size(63) + 9 * TextBuffer::kFixedSize;
 
 /// `2025-01-31T12:00:00.125Z`: ISO 8601, universal time.
 void put_instant(TextBuffer& text, std::chrono::system_clock::time_point instant) {
@@ -130,6 +130,16 @@ float energy_near(Vec3 direction, std::span<const Potential> potentials) {
   return energy;
 }
 
+/// Along azimuth and along elevation, where it is known.
+void put_sigma(TextBuffer& text, const TangentCovariance& covariance) {
+  if (!(covariance.east > 0)) return;
+  text.put(",\"sigma_deg\":[");
+  text.put_fixed(degrees(std::sqrt(covariance.east)));
+  text.put(",");
+  text.put_fixed(degrees(std::sqrt(covariance.north)));
+  text.put("]");
+}
+
 void put_track(TextBuffer& text, const Track& track, std::span<const Potential> potentials) {
   text.put(",\"tag\":");
   text.put_quoted(track.tag.view());
@@ -138,6 +148,7 @@ void put_track(TextBuffer& text, const Track& track, std::span<const Potential> 
   text.put_fixed(track.activity);
   text.put(",\"E\":");
   text.put_fixed(energy_near(track.direction, potentials));
+  put_sigma(text, track.covariance);
   put_class(text, track.category);
 }
 

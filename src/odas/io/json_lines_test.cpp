@@ -33,6 +33,19 @@ TEST(JsonLines, of_tracks_is_one_line_with_angles_and_times_and_without_empty_sl
             "\"azimuth\":90.000,\"elevation\":0.000,\"activity\":0.500,\"E\":0.250}]}\n");
 }
 
+TEST(JsonLines, of_tracks_has_the_doubt_along_azimuth_and_elevation_where_it_is_known) {
+  test::HopOfHand hop;
+  hop.tracks.resize(2);
+  hop.tracks[0].id = 1;
+  hop.tracks[1].id = 2;
+  hop.tracks[1].covariance = {radians(2) * radians(2), radians(9.5F) * radians(9.5F), 0};
+  const auto json = nlohmann::json::parse(encoded(*make_json_lines_tracks(clock_of(0s)), hop, 1));
+  EXPECT_FALSE(json["src"][0].contains("sigma_deg"));
+  ASSERT_EQ(json["src"][1]["sigma_deg"].size(), 2U);
+  EXPECT_NEAR(json["src"][1]["sigma_deg"][0].get<double>(), 2, 1e-3);
+  EXPECT_NEAR(json["src"][1]["sigma_deg"][1].get<double>(), 9.5, 1e-3);
+}
+
 TEST(JsonLines, of_tracks_has_the_class_where_it_is_known) {
   test::HopOfHand hop;
   hop.tracks.resize(2);

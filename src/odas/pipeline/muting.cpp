@@ -6,6 +6,11 @@
 #include <numbers>
 
 namespace odas {
+namespace {
+
+constexpr float kNone = -12;  // evidence: surely no source
+
+}  // namespace
 
 bool Muting::holds(Vec3 direction) const noexcept {
   static const float cosine = std::cos(kRadius * std::numbers::pi_v<float> / 180);
@@ -17,7 +22,9 @@ bool Muting::holds(Vec3 direction) const noexcept {
 
 void Muting::hush(std::span<Potential> potentials) const noexcept {
   for (Potential& potential : potentials) {
-    if (holds(potential.direction)) potential.energy = 0;
+    if (!holds(potential.direction)) continue;
+    potential.energy = 0;
+    potential.evidence = kNone;
   }
 }
 

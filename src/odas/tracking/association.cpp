@@ -11,18 +11,12 @@ namespace {
 
 constexpr double kImpossible = -std::numeric_limits<double>::infinity();
 
-double log_add(double a, double b) noexcept {
-  const double high = std::max(a, b);
-  if (high == kImpossible) return kImpossible;
-  return high + std::log1p(std::exp(std::min(a, b) - high));
-}
-
 }  // namespace
 
 Association::Association(const SstConfig& config, std::size_t slots, std::size_t potentials,
                          double heard_share)
-    : active_(mixture(config.active)),
-      inactive_(mixture(config.inactive)),
+    : active_(config.active),
+      inactive_(config.inactive),
       log_tracks_(slots, potentials),
       from_track_(slots, potentials),
       activity_(slots),
@@ -33,26 +27,6 @@ Association::Association(const SstConfig& config, std::size_t slots, std::size_t
   log_false_ = std::log(static_cast<double>(config.p_false)) + log_diffuse;
   log_new_ = std::log(static_cast<double>(config.p_new)) + log_diffuse;
   log_track_ = std::log(static_cast<double>(config.p_track));
-}
-
-std::vector<Association::Gaussian> Association::mixture(const std::vector<GaussianConfig>& config) {
-  std::vector<Gaussian> gaussians;
-  for (const GaussianConfig& g : config) {
-    const auto variance = static_cast<double>(g.sigma2);
-    gaussians.push_back(
-        {std::log(static_cast<double>(g.weight)) - 0.5 * std::log(2 * std::numbers::pi * variance),
-         static_cast<double>(g.mu), 0.5 / variance});
-  }
-  return gaussians;
-}
-
-double Association::log_density(const std::vector<Gaussian>& mixture, double energy) noexcept {
-  double sum = kImpossible;
-  for (const Gaussian& g : mixture) {
-    const double d = energy - g.mean;
-    sum = log_add(sum, g.log_scale - d * d * g.precision);
-  }
-  return sum;
 }
 
 void Association::set_dead(std::size_t slot) noexcept {
@@ -66,9 +40,9 @@ void Association::solve(std::span<const Potential> potentials) noexcept {
   for (std::size_t s = 0; s < potentials.size(); ++s) {
     const Potential& potential = potentials[s];
     const auto energy = static_cast<double>(potential.energy);
-    log_active_[s] = log_density(active_, energy);
+    log_active_[s] = active_.log_density(energy);
     const double log_new = log_active_[s] + log_new_;
-    const double log_false = log_density(inactive_, energy) + log_false_;
+    const double log_false = inactive_.log_density(energy) + log_false_;
     double high = std::max(log_false, log_new);
     for (std::size_t t = 0; t < log_tracks_.rows(); ++t) {
       high = std::max(high, log_active_[s] + log_tracks_[t][s] + log_track_);

@@ -8,6 +8,7 @@
 #include "odas/array/types.hpp"
 #include "odas/base/grid.hpp"
 #include "odas/tracking/config.hpp"
+#include "odas/tracking/energy_mixture.hpp"
 
 namespace odas {
 
@@ -46,14 +47,8 @@ class Association {
   [[nodiscard]] double is_new_beside(std::size_t potential, double log_likelihood) const noexcept;
 
  private:
-  struct Gaussian {
-    double log_scale, mean, precision;
-  };
-  static std::vector<Gaussian> mixture(const std::vector<GaussianConfig>& config);
-  static double log_density(const std::vector<Gaussian>& mixture, double energy) noexcept;
-
   std::size_t count_ = 0;  // potentials of this hop
-  std::vector<Gaussian> active_, inactive_;
+  EnergyMixture active_, inactive_;
   double log_false_, log_new_, log_track_;      // priors, those of false and new with the diffuse density
   Grid<double> log_tracks_;                     // [slot][potential]
   Grid<double> from_track_;                     // [slot][potential]

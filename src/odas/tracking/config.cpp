@@ -53,7 +53,8 @@ Schema ParticleConfig::schema() {
 
 Schema SstConfig::schema() {
   static const std::vector<Field> fields{
-      field<&SstConfig::mode>("mode", "", kAny, "filter that follows a source", {"kalman", "particle"}),
+      field<&SstConfig::mode>("mode", "", kAny, "filter that follows a source",
+                              {"kalman", "particle", "bernoulli"}),
       field<&SstConfig::add>("add", "", kAny, "dynamic: sources come and go; static: only the targets",
                              {"dynamic", "static"}),
       field<&SstConfig::active>("active", "", kAny, "Gaussian mixture of E where a source sounds"),

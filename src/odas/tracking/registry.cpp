@@ -2,6 +2,7 @@
 #include <array>
 
 #include "odas/base/error.hpp"
+#include "odas/tracking/bernoulli.hpp"
 #include "odas/tracking/kalman.hpp"
 #include "odas/tracking/particle.hpp"
 #include "odas/tracking/slot_tracker.hpp"
@@ -19,12 +20,15 @@ Made particle(const SstConfig& config, const TrackerContext& context) {
   return std::make_unique<SlotTracker<Particle>>(config, context,
                                                  Particle(config.particle, context.hop_seconds));
 }
+Made bernoulli(const SstConfig& config, const TrackerContext& context) {
+  return std::make_unique<BernoulliTracker>(config, context);
+}
 
 struct Row {
   std::string_view name;
   Made (*make)(const SstConfig&, const TrackerContext&);
 };
-constexpr std::array kTrackers{Row{"kalman", kalman}, Row{"particle", particle}};
+constexpr std::array kTrackers{Row{"kalman", kalman}, Row{"particle", particle}, Row{"bernoulli", bernoulli}};
 
 }  // namespace
 

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: MIT
+#include "odas/tracking/bernoulli.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "odas/base/contract.hpp"
+
+namespace odas {
+namespace {
+
+// Talkers and rooms, by docs/tracking.md.
+constexpr double kIndependent = 0.048;                     // s between two observations that tell anew
+constexpr double kFound = 0.8;                             // a source that sounds is among the potentials
+constexpr double kNew = 0.05;                              // prior of a new source, to that of none
+constexpr double kFallsSilent = 0.5, kSpeaks = 0.5;        // s, means: until a voice pauses, and is back
+constexpr double kOpens = 0.3;                             // evidence of a potential that opens a candidate
+constexpr double kConfirmed = 3;                           // evidence, nats
+constexpr double kGivenUp = -1.2;                          // of a candidate
+constexpr double kLost = -4;                               // of one that was confirmed
+constexpr double kMost = 10;                               // evidence is not counted beyond
+constexpr double kPatience = 0.5;                          // s of silence, at least
+constexpr double kPatienceEarned = 0.1;                    // s more for each nat that spoke for it
+constexpr double kSamePlace = 6 * std::numbers::pi / 180;  // of azimuth: nearer than two people stand
+constexpr double kLess = 0.5, kLessNear = 1.5, kLessOld = 0.5;
+constexpr float kBesideCosine = 0.87F;
+constexpr float kBlur2East = 0.0012F, kBlur2North = 0.008F;
+constexpr double kSoon = 1, kOverlap = 0.3, kLongOverlap = 3;  // s
+
+std::uint64_t hops_in(double seconds, double hop_seconds) {
+  constexpr double kForEver = 1e18;
+  return hop_seconds > 0 ? static_cast<std::uint64_t>(std::min(std::ceil(seconds / hop_seconds), kForEver))
+                         : 0;
+}
+
+/// Nearer than two people stand; of elevation, as far as it is heard at all.
+bool one_place(Walker::Offset apart, float variance_north) {
+  return std::abs(apart.east) < kSamePlace &&
+         std::abs(apart.north) < kSamePlace + 2.5 * std::sqrt(static_cast<double>(variance_north));
+}
+
+double sigmoid(double x) { return 1 / (1 + std::exp(-x)); }
+
+}  // namespace
+
+BernoulliTracker::BernoulliTracker(const SstConfig& config, const TrackerContext& context)
+    : config_(config),
+      dynamic_(config.add == "dynamic"),
+      dt_(context.hop_seconds),
+      own_share_(std::min(context.hop_seconds / kIndependent, 1.0)),
+      diffuse_(1 / (4 * std::numbers::pi * context.heard_share)),
+      active_(config.active),
+      inactive_(config.inactive),
+      slots_(config.slots(), Source(Walker(context.hop_seconds))),
+      candidates_(2 * context.potentials, Source(Walker(context.hop_seconds))),
+      links_(slots_.size() + candidates_.size(), context.potentials),
+      departed_(hops_in(static_cast<double>(config.memory), context.hop_seconds)) {
+  heard_.reserve(context.potentials);
+  first_refused_ = refused_ = first_targets_.assign(targets_of(config));
+  targets_ = first_targets_;
+}
+
+void BernoulliTracker::set_targets(std::span<const Target> targets) noexcept {
+  refused_ = targets_.assign(targets);
+}
+
+void BernoulliTracker::continue_from(const Tracker& before) noexcept {
+  last_id_ = before.last_id();
+  const auto* same = dynamic_cast<const BernoulliTracker*>(&before);
+  if (same == nullptr || same->slots_.size() != slots_.size()) return;
+  targets_ = same->targets_;
+  refused_ = same->refused_;
+  std::copy(same->slots_.begin(), same->slots_.end(), slots_.begin());
+}
+
+void BernoulliTracker::reset() noexcept {
+  for (Source& source : slots_) clear(source);
+  for (Source& source : candidates_) clear(source);
+  last_id_ = 0;
+  departed_.reset();
+  targets_ = first_targets_;
+  refused_ = first_refused_;
+  waiting_ = 0;
+}
+
+void BernoulliTracker::clear(Source& source) noexcept {
+  const Walker walker = source.walker;
+  source = Source(walker);
+}
+
+void BernoulliTracker::update(std::span<const Potential> potentials, std::span<Track> tracks) noexcept {
+  ODAS_EXPECT(tracks.size() == slots_.size());
+  follow_targets();
+  take(potentials);
+  associate();
+  for_each_live([&](Source& source, std::span<const Link> links) { follow(source, links); });
+  departed_.age();
+  if (dynamic_) {
+    merge();
+    bury();
+    confirm();
+    open();
+  }
+  for (std::size_t t = 0; t < slots_.size(); ++t) {
+    const Source& source = slots_[t];
+    tracks[t] = Track{};
+    if (source.stage == Stage::free) continue;
+    tracks[t] = {source.id, source.tag, source.walker.direction(), static_cast<float>(source.activity)};
+    if (source.stage == Stage::seen) tracks[t].covariance = source.walker.covariance();
+  }
+}
+
+template <class Action>
+void BernoulliTracker::for_each_live(Action&& action) noexcept {
+  std::size_t row = 0;
+  for (auto* sources : {&slots_, &candidates_}) {
+    for (Source& source : *sources) {
+      const std::span<Link> links = links_[row++].first(heard_.size());
+      if (source.stage != Stage::free) action(source, links);
+    }
+  }
+}
+
+/// Only what is sound, and with what the localizer did not tell.
+void BernoulliTracker::take(std::span<const Potential> potentials) noexcept {
+  ODAS_EXPECT(potentials.size() <= links_.cols());
+  heard_.clear();
+  for (const Potential& potential : potentials) {
+    const float length = norm(potential.direction);
+    if (!std::isfinite(length) || !(length > 0) || !std::isfinite(potential.energy)) continue;
+    Heard heard;
+    heard.direction = normalized(potential.direction);
+    heard.covariance = potential.covariance;
+    heard.covariance.east += kBlur2East;
+    heard.covariance.north += kBlur2North;
+    double evidence = static_cast<double>(potential.evidence);
+    if (!(potential.covariance.east > 0)) {
+      const auto energy = static_cast<double>(potential.energy);
+      evidence = active_.log_density(energy) - inactive_.log_density(energy);
+      heard.covariance = {config_.sigma_r2_active, config_.sigma_r2_active, 0};
+    }
+    if (!std::isfinite(evidence)) continue;
+    constexpr double kSurest = 12;
+    heard.ratio = std::exp(std::clamp(evidence, -kSurest, kSurest));
+    heard_.push_back(heard);
+  }
+  for (Heard& heard : heard_) {
+    double less = 0;
+    for (const Heard& louder : heard_) {
+      if (louder.ratio <= heard.ratio) continue;
+      const bool is_near = dot(louder.direction, heard.direction) > kBesideCosine;
+      less = std::max(less, (is_near ? kLessNear : kLess) * std::log(louder.ratio / heard.ratio));
+    }
+    heard.new_ratio = heard.ratio * std::exp(-less);
+    heard.old_ratio = heard.ratio * std::exp(-kLessOld * less);
+    heard.pull = heard.old_ratio / (1 + heard.old_ratio);
+  }
+}
+
+void BernoulliTracker::follow_targets() noexcept {
+  for (Source& source : slots_) {
+    if (source.stage == Stage::target && targets_.find(source.tag) == nullptr) clear(source);
+  }
+  waiting_ = 0;
+  const TangentCovariance spread{config_.sigma_r2_target, config_.sigma_r2_target, 0};
+  for (const Target& target : targets_.view()) {
+    const auto has_tag = [&](const Source& s) { return s.stage == Stage::target && s.tag == target.tag; };
+    const auto own = std::find_if(slots_.begin(), slots_.end(), has_tag);
+    if (own != slots_.end()) {
+      if (own->walker.direction() != target.direction) own->walker.start(target.direction, spread);
+    } else if (Source* slot = free_slot()) {
+      slot->stage = Stage::target;
+      slot->id = ++last_id_;
+      slot->tag = target.tag;
+      slot->walker.start(target.direction, spread);
+    } else {
+      ++waiting_;
+    }
+  }
+}
+
+void BernoulliTracker::associate() noexcept {
+  for (Heard& heard : heard_) heard.others = diffuse_ * (1 + kNew * heard.old_ratio);
+  for_each_live([&](Source& source, std::span<Link> links) {
+    if (source.stage != Stage::target) source.walker.predict();
+    const double off = std::min(dt_ / kFallsSilent, 0.5);
+    const double on = std::min(dt_ / kSpeaks, 0.5);
+    source.sounding += on * (1 - source.sounding) - off * source.sounding;
+    for (std::size_t s = 0; s < heard_.size(); ++s) {
+      Link& link = links[s];
+      link.offset = source.walker.offset_of(heard_[s].direction);
+      link.fit = source.walker.fit(link.offset, heard_[s].covariance);
+      link.weight = source.sounding * kFound * heard_[s].old_ratio * link.fit.density;
+      heard_[s].others += link.weight;
+    }
+  });
+  for_each_live([&](Source& source, std::span<Link> links) {
+    for (std::size_t s = 0; s < heard_.size(); ++s) {
+      links[s].share = links[s].weight / heard_[s].others;
+      heard_[s].known += links[s].share;
+      if (source.stage != Stage::candidate) heard_[s].seen += links[s].share;
+    }
+  });
+}
+
+void BernoulliTracker::follow(Source& source, std::span<const Link> links) noexcept {
+  double silent = 1;             // probability that no potential is its own
+  double sounds = 1 - kFound;    // likelihood ratio: it sounds, to it does not
+  double is_there = 1 - kFound;  // the same without what the place itself tells: reflections stay, too
+  for (std::size_t s = 0; s < links.size(); ++s) {
+    const Link& link = links[s];
+    const Heard& heard = heard_[s];
+    const double taken = source.stage == Stage::candidate ? heard.seen : heard.seen - link.share;
+    silent *= 1 - link.share;
+    sounds += kFound * heard.old_ratio * link.fit.density / (heard.others - link.weight);
+    is_there += kFound * (source.stage == Stage::candidate ? heard.new_ratio : heard.old_ratio) *
+                link.fit.density / link.fit.peak * std::clamp(1 - taken, 0.0, 1.0);
+    if (source.stage == Stage::target || link.share < 1e-3) continue;
+    // What may be another's as well moves neither: two who cross keep their ways.
+    const double sure = std::max(
+        link.share - std::max(heard.seen - (source.stage == Stage::candidate ? 0 : link.share), 0.0), 0.0);
+    source.walker.observe(link.offset, heard.covariance, own_share_ * sure * link.fit.clean * heard.pull);
+    source.blur.east += 0.05F * static_cast<float>(link.share) * (heard.covariance.east - source.blur.east);
+    source.blur.north +=
+        0.05F * static_cast<float>(link.share) * (heard.covariance.north - source.blur.north);
+  }
+  if (source.stage != Stage::target) source.walker.settle();
+  source.activity = 1 - silent;
+  const double before = source.stage == Stage::candidate ? 1 : source.sounding;
+  const double gain = own_share_ * std::log(1 - before + before * is_there);
+  source.evidence = std::min(source.evidence + gain, kMost);
+  source.strength += std::max(gain, 0.0);
+  const double odds = std::log(std::max(source.sounding, 1e-9) / std::max(1 - source.sounding, 1e-9));
+  source.sounding = std::clamp(sigmoid(odds + own_share_ * std::log(sounds)), 1e-3, 1 - 1e-3);
+  source.silent_hops = source.sounding > 0.5 ? 0 : source.silent_hops + 1;
+  ++source.age;
+}
+
+/// Of two in one place the younger goes: at once if it is not seen yet, else when it has stayed too long for
+/// somebody who walks past.
+void BernoulliTracker::merge() noexcept {
+  const auto covered = [&](const Source& source) {
+    return std::any_of(slots_.begin(), slots_.end(), [&](const Source& older) {
+      if (&older == &source || older.stage == Stage::free || older.age <= source.age) return false;
+      return one_place(older.walker.offset_of(source.walker.direction()),
+                       std::max(older.blur.north, source.blur.north));
+    });
+  };
+  for (Source& candidate : candidates_) {
+    if (candidate.stage != Stage::free && covered(candidate)) clear(candidate);
+  }
+  for (std::size_t t = 0; t < slots_.size(); ++t) {
+    Source& source = slots_[t];
+    if (source.stage != Stage::seen) continue;
+    source.covered_hops = covered(source) ? source.covered_hops + 1 : 0;
+    const double limit = source.age * dt_ < kSoon ? kOverlap : kLongOverlap;
+    if (source.covered_hops * dt_ > limit) clear(source);
+  }
+}
+
+void BernoulliTracker::bury() noexcept {
+  for (Source& candidate : candidates_) {
+    if (candidate.stage != Stage::free && candidate.evidence < kGivenUp) clear(candidate);
+  }
+  const auto living = static_cast<std::size_t>(
+      std::count_if(slots_.begin(), slots_.end(), [](const Source& s) { return s.stage != Stage::free; }));
+  for (std::size_t t = 0; t < slots_.size(); ++t) {
+    Source& source = slots_[t];
+    if (source.stage != Stage::seen) continue;
+    const double earned = (kPatience + kPatienceEarned * source.strength) / std::max(dt_, 1e-6);
+    const double patience = std::min(earned, static_cast<double>(config_.patience(living)));
+    if (source.silent_hops < patience && source.evidence > kLost) continue;
+    departed_.add(source.id, source.walker.direction(), t);
+    clear(source);
+  }
+}
+
+void BernoulliTracker::confirm() noexcept {
+  for (Source& candidate : candidates_) {
+    if (candidate.stage == Stage::free) continue;
+    if (candidate.evidence >= kConfirmed) show(candidate);
+  }
+}
+
+/// In its old slot, the channel where it is listened for, if it is known and nobody else is there.
+void BernoulliTracker::show(Source& candidate) noexcept {
+  Source* slot = free_slot();
+  if (slot == nullptr) return;
+  std::uint64_t id = 0;
+  if (const auto known = departed_.nearest(candidate.walker.direction())) {
+    const Departed::Source source = departed_.take(known->place);
+    id = source.id;
+    if (slots_[source.slot].stage == Stage::free) slot = &slots_[source.slot];
+  }
+  *slot = candidate;
+  slot->stage = Stage::seen;
+  slot->tag = "dynamic";
+  slot->id = id != 0 ? id : ++last_id_;
+  clear(candidate);
+}
+
+void BernoulliTracker::open() noexcept {
+  for (const Heard& heard : heard_) {
+    if (heard.known > 0.5 || heard.new_ratio < std::exp(kOpens)) continue;
+    const auto place = std::find_if(candidates_.begin(), candidates_.end(),
+                                    [](const Source& s) { return s.stage == Stage::free; });
+    if (place == candidates_.end()) return;
+    // Not twice in one place.
+    const bool is_there = std::any_of(candidates_.begin(), candidates_.end(), [&](const Source& s) {
+      return s.stage != Stage::free && s.age == 0 &&
+             one_place(s.walker.offset_of(heard.direction), heard.covariance.north);
+    });
+    if (is_there) continue;
+    place->stage = Stage::candidate;
+    place->sounding = 0.5;
+    place->blur = heard.covariance;
+    place->walker.start(heard.direction, heard.covariance);
+  }
+}
+
+BernoulliTracker::Source* BernoulliTracker::free_slot() noexcept {
+  const auto is_free = [](const Source& s) { return s.stage == Stage::free; };
+  const auto slot = std::find_if(slots_.begin(), slots_.end(), is_free);
+  return slot == slots_.end() ? nullptr : &*slot;
+}
+
+}  // namespace odas
