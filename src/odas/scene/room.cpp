@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "odas/base/contract.hpp"
+#include "odas/scene/impulse_train.hpp"
 
 namespace odas {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 constexpr float kNearest = 0.01F;     // m: a source inside of a microphone is not infinitely loud
 constexpr double kDecayStep = 0.001;  // s
 constexpr std::size_t kTail = DelayFilter::kTaps;
+constexpr int kFewWalls = 2;
 
 }  // namespace
 
@@ -83,8 +85,61 @@ void Room::add_response(Vec3 source, const SceneMic& mic, Orders orders, std::sp
     if (orders.first == 0) deposit(offset, norm(offset), 0);
     return;
   }
+  const Orders few{orders.first, std::min(orders.last, kFewWalls)};
   const float radius = static_cast<float>(response.size()) / rate_ * speed_;
-  for_each_image(middle_ + source, middle_ + mic.position, orders, radius, deposit);
+  if (few.first <= few.last) {
+    for_each_image(middle_ + source, middle_ + mic.position, few, radius, deposit);
+  }
+  if (orders.last > kFewWalls) {
+    add_echoes(source, mic, {std::max(orders.first, kFewWalls + 1), orders.last}, response);
+  }
+}
+
+/// As for_each_image, but for the ends: a row of images along z is worked out as a whole, which the compiler
+/// does several at a time.
+void Room::add_echoes(Vec3 source, const SceneMic& mic, Orders orders, std::span<float> response) const {
+  const float radius = static_cast<float>(response.size()) / rate_ * speed_;
+  const Vec3 from = middle_ + source;
+  const Vec3 to = middle_ + mic.position;
+  std::vector<Image> xs, ys, zs;
+  images_along(size_.x, from.x, to.x, radius, orders, xs);
+  images_along(size_.y, from.y, to.y, radius, orders, ys);
+  images_along(size_.z, from.z, to.z, radius, orders, zs);
+  std::ranges::sort(zs, {}, &Image::offset);
+  std::vector<float> delays(zs.size()), gains(zs.size());
+  const float samples_a_metre = rate_ / speed_;
+  const auto power = [&](int walls) {
+    return powers_[std::min(static_cast<std::size_t>(walls), powers_.size() - 1)];
+  };
+  std::vector<float> heights, powers;  // of zs
+  for (const Image& z : zs) {
+    heights.push_back(z.offset);
+    powers.push_back(power(z.walls));
+  }
+  ImpulseTrain train(response.size());
+  for (const Image& x : xs) {
+    for (const Image& y : ys) {
+      const float flat = x.offset * x.offset + y.offset * y.offset;
+      if (flat > radius * radius || x.walls + y.walls > orders.last) continue;
+      const float height = std::sqrt(radius * radius - flat);
+      const auto begin =
+          static_cast<std::size_t>(std::ranges::lower_bound(heights, -height) - heights.begin());
+      const auto end = static_cast<std::size_t>(std::ranges::upper_bound(heights, height) - heights.begin());
+      const float towards = mic.axis.x * x.offset + mic.axis.y * y.offset;
+      const float reflected = power(x.walls + y.walls);
+      for (std::size_t i = begin; i < end; ++i) {
+        const float distance = std::max(std::sqrt(flat + heights[i] * heights[i]), kNearest);
+        const float cosine = (towards + mic.axis.z * heights[i]) / distance;
+        delays[i] = distance * samples_a_metre;
+        gains[i] = reflected * powers[i] * (mic.omni + (1 - mic.omni) * cosine) / distance;
+      }
+      for (std::size_t i = begin; i < end; ++i) {
+        const int walls = x.walls + y.walls + zs[i].walls;
+        if (walls >= orders.first && walls <= orders.last) train.add(delays[i], gains[i]);
+      }
+    }
+  }
+  train.render(response);
 }
 
 /// `energy`: [ms][walls] of 1 / d^2.

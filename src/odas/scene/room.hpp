@@ -24,9 +24,10 @@ struct Orders {
 /// beta comes from the rt60 asked for by bisection, until the energy that the images bring decays as asked
 /// (from -5 to -35 dB, times two): the formulas of Sabine and Eyring take a field to be diffuse, which a
 /// shoebox without scattering is not.
-/// Source: Allen and Berkley, JASA 65(4), 1979; Lehmann and Johansson, JASA 124(1), 2008.
-/// Fails: no scattering, no absorption by frequency, no diffraction by the array's body. At 0 Hz all images
-/// add up, which no ear or microphone would hear: what is played should have nothing there.
+/// Images of up to two walls go through DelayFilter one by one; the many others through an ImpulseTrain, row
+/// by row of their lattice. Source: Allen and Berkley, JASA 65(4), 1979; Lehmann and Johansson, JASA 124(1),
+/// 2008. Fails: no scattering, no absorption by frequency, no diffraction by the array's body. At 0 Hz all
+/// images add up, which no ear or microphone would hear: what is played should have nothing there.
 class Room {
  public:
   explicit Room(const Scene& scene);
@@ -45,6 +46,7 @@ class Room {
   };
   void images_along(float length, float source, float mic, float radius, Orders orders,
                     std::vector<Image>& images) const;
+  void add_echoes(Vec3 source, const SceneMic& mic, Orders orders, std::span<float> response) const;
   template <class Visit>
   void for_each_image(Vec3 source, Vec3 mic, Orders orders, float radius, Visit&& visit) const;
   [[nodiscard]] double decay_time(const std::vector<std::vector<double>>& energy, double reflection) const;
