@@ -17,6 +17,7 @@
 #include "odas/scene/bench_run.hpp"
 #include "odas/scene/bench_suite.hpp"
 #include "odas/scene/bench_text.hpp"
+#include "odas/scene/ideal_mask.hpp"
 
 namespace odas {
 namespace {
@@ -25,7 +26,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   Selection selection;
-  std::string half = "both", keep, out;
+  std::string kind, half = "both", keep, out;
   BenchListening listening;
   std::uint32_t seed = 1;
   std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
@@ -36,8 +37,7 @@ std::vector<BenchScene> chosen(const std::vector<BenchScene>& suite, Arguments& 
   if (arguments.half == "train") arguments.selection.half = Selection::Half::train;
   if (arguments.half == "test") arguments.selection.half = Selection::Half::test;
   for (const std::string& word : unknown_words(suite, arguments.selection.filter)) {
-    throw ConfigError("--filter",
-                      "no scene has '" + word + "'; odas bench accuracy --list shows what they have");
+    throw ConfigError("--filter", "no scene has '" + word + "'; --list shows what they have");
   }
   auto scenes = select(suite, arguments.selection);
   if (scenes.empty()) throw ConfigError("--filter", "no scene is left");
@@ -72,8 +72,30 @@ void report(const Arguments& arguments, const std::string& title, std::span<cons
   write_file(out / "bench.svg", bench_svg(title, tables, figures, panels));
 }
 
-void accuracy(Arguments& arguments) {
-  const auto scenes = chosen(accuracy_suite(arguments.seed), arguments);
+/// What is measured, and how it is shown.
+struct Bench {
+  const char* title;
+  std::vector<BenchScene> (*suite)(std::uint32_t seed);
+  std::vector<BenchFigure> (*figures)();
+  std::vector<BenchPanel> (*panels)();
+  bool voices;
+};
+
+BenchOutcome play(const BenchScene& scene, const BenchConfig& config, const std::string& keep, bool voices) {
+  const BenchSound sound = bench_sound(scene, config.array, keep);
+  Configuration listener = config.listener;
+  listener.pipeline.wanted = {true, true, voices, voices};
+  const Audition heard = listen(sound.played, std::move(listener));
+  BenchOutcome outcome;
+  outcome.scene = scene;
+  outcome.score = score(sound.played.truth, voices ? std::optional(sound.played.sound) : std::nullopt, heard);
+  outcome.bound = bench_bound(sound, config.array);
+  if (voices) outcome.ideal_mask_sdr_db = ideal_mask_sdr_db(sound.played.sound);
+  return outcome;
+}
+
+void run_bench(const Bench& bench, Arguments& arguments) {
+  const auto scenes = chosen(bench.suite(arguments.seed), arguments);
   if (arguments.list) return list(scenes);
   const auto configs = bench_configs(scenes, arguments.listening);
   std::vector<BenchOutcome> outcomes(scenes.size());
@@ -81,20 +103,19 @@ void accuracy(Arguments& arguments) {
   for_each_in_parallel(
       scenes.size(), arguments.jobs, &stop_on_signals(), [&](double share) { progress.show(share); },
       [&](std::size_t i) {
-        const BenchConfig& config = configs.at(scenes[i].array);
-        const BenchSound sound = bench_sound(scenes[i], config.array, arguments.keep);
-        Configuration listener = config.listener;
-        listener.pipeline.wanted = {true, true, false, false};
-        outcomes[i] = {scenes[i], score(sound.played.truth, std::nullopt, listen(sound.played, listener)),
-                       bench_bound(sound, config.array)};
+        outcomes[i] = play(scenes[i], configs.at(scenes[i].array), arguments.keep, bench.voices);
       });
   progress.clear();
   if (stop_on_signals()) {
     std::fprintf(stderr, "odas: stopped; there is no table of half a benchmark\n");
     return;
   }
-  report(arguments, "odas bench accuracy", outcomes, accuracy_figures(), accuracy_panels());
+  report(arguments, bench.title, outcomes, bench.figures(), bench.panels());
 }
+
+constexpr Bench kAccuracy{"odas bench accuracy", accuracy_suite, accuracy_figures, accuracy_panels, false};
+constexpr Bench kSeparation{"odas bench separation", separation_suite, separation_figures, separation_panels,
+                            true};
 
 void add_options(CLI::App* command, const std::shared_ptr<Arguments>& a) {
   command->add_option("--scenes", a->selection.most, "Not more scenes than these, evenly from all")
@@ -128,19 +149,28 @@ void add_options(CLI::App* command, const std::shared_ptr<Arguments>& a) {
 void add_bench(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("bench", "Measure how well it hears, over hundreds of simulated scenes");
-  command->require_subcommand(1);
-  auto arguments = std::make_shared<Arguments>();
-  CLI::App* accuracy_command = command->add_subcommand("accuracy", "Directions: recall, error, false tracks");
-  add_options(accuracy_command, arguments);
-  accuracy_command->footer(
-      "Plays talkers and noise in rooms to arrays of 4 to 16 microphones, listens with the configurations "
-      "of\n"
-      "these arrays, and prints a table by condition (docs/benchmark.md). Needs espeak-ng, which speaks.\n\n"
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("KIND", arguments->kind, "accuracy: directions; separation: voices")
+      ->check(CLI::IsMember({"accuracy", "separation"}))
+      ->type_name("")
+      ->required();
+  add_options(command, arguments);
+  command->footer(
+      "accuracy plays talkers and noise in rooms to arrays of 4 to 16 microphones, listens with the\n"
+      "configurations of these arrays, and prints recall, error and false tracks by condition. separation "
+      "prints\n"
+      "SDR, SI-SDR, SIR and STOI of microphone 1 and of the voices of whom odas itself follows, and beside "
+      "them\n"
+      "the SDR of the ideal ratio mask. Both need espeak-ng, which speaks (docs/benchmark.md).\n\n"
       "Examples:\n"
       "  odas bench accuracy --half test -o accuracy\n"
       "  odas bench accuracy --half train --scenes 40 --keep scenes --set 'sst.P_new=0.05'\n"
-      "  odas bench accuracy --filter 'mixed/ minidsp_uma8 snr=0' --odas");
-  accuracy_command->callback([arguments] { accuracy(*arguments); });
+      "  odas bench accuracy --filter 'mixed/ minidsp_uma8 snr=0' --odas\n"
+      "  odas bench separation --half test -o separation");
+  command->callback([arguments] {
+    const bool voices = arguments->kind == "separation";
+    run_bench(voices ? kSeparation : kAccuracy, *arguments);
+  });
 }
 
 }  // namespace odas

@@ -68,4 +68,13 @@ std::vector<BenchPanel> accuracy_panels() {
           {"group", "Recall by group", {"recall"}, 100}};
 }
 
+std::vector<BenchPanel> separation_panels() {
+  return {{"group", "SDR by group", {"sdr_in", "sdr", "pf_sdr"}, std::nullopt},
+          {"group", "SI-SDR by group", {"si_sdr_in", "si_sdr", "pf_si_sdr"}, std::nullopt},
+          {"group", "STOI by group", {"stoi_in", "stoi", "pf_stoi"}, 100},
+          {"two, by array", "SDR of two talkers by array", {"sdr_in", "sdr", "pf_sdr"}, std::nullopt},
+          {"two, by rt60", "SDR of two talkers by reverberation", {"sdr_in", "sdr", "pf_sdr"}, std::nullopt},
+          {"two, by distance", "SDR of two talkers by distance", {"sdr_in", "sdr", "pf_sdr"}, std::nullopt}};
+}
+
 }  // namespace odas

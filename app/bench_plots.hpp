@@ -21,5 +21,6 @@ struct BenchPanel {
                                     std::span<const BenchFigure> figures, std::span<const BenchPanel> panels);
 
 [[nodiscard]] std::vector<BenchPanel> accuracy_panels();
+[[nodiscard]] std::vector<BenchPanel> separation_panels();
 
 }  // namespace odas

@@ -34,21 +34,35 @@ double highest(const IntervalChart& chart) {
   return top > 0 ? 1.08 * top : 1;
 }
 
+/// 0, or below what is lowest.
+double lowest(const IntervalChart& chart) {
+  double bottom = 0;
+  for (const auto& series : chart.series) {
+    for (const auto& value : series.values) {
+      if (value) bottom = std::min(bottom, 1.08 * value->low);
+    }
+  }
+  return bottom;
+}
+
 }  // namespace
 
 void draw_intervals(Canvas& canvas, const IntervalChart& chart, Spot upper_left, Spot lower_right) {
   const double left = upper_left.x + 46, right = lower_right.x - 10;
   const double top = upper_left.y + 50, bottom = lower_right.y - 34;
   const double most = chart.top.value_or(highest(chart));
-  const auto y = [&](double value) { return bottom - (bottom - top) * std::clamp(value / most, 0.0, 1.0); };
+  const double least = chart.top ? 0 : lowest(chart);
+  const auto y = [&](double value) {
+    return bottom - (bottom - top) * std::clamp((value - least) / (most - least), 0.0, 1.0);
+  };
 
   canvas.text({upper_left.x + 8, upper_left.y + 18}, chart.title, {.size = 13, .bold = true});
   canvas.text({upper_left.x + 8, upper_left.y + 36}, chart.unit, {.size = 10, .ink = kGrey});
-  const double step = step_of(most);
-  for (double line = 0; line <= most * 1.001; line += step) {
+  const double step = step_of(most - least);
+  for (double line = std::ceil(least / step) * step; line <= most * 1.001; line += step) {
     canvas.polyline(std::array{Spot{left, y(line)}, Spot{right, y(line)}}, false,
-                    {.line = line == 0 ? kGrey : kFaint});
-    canvas.text({left - 6, y(line) + 4}, fmt::format("{:g}", line),
+                    {.line = std::abs(line) < 1e-9 * step ? kGrey : kFaint});
+    canvas.text({left - 6, y(line) + 4}, fmt::format("{:g}", std::abs(line) < 1e-9 * step ? 0 : line),
                 {.size = 10, .anchor = Canvas::Anchor::right, .ink = kGrey});
   }
   const double place = (right - left) / static_cast<double>(std::max<std::size_t>(1, chart.levels.size()));

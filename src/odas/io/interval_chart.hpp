@@ -24,7 +24,7 @@ struct IntervalChart {
   std::string unit;                 // over the vertical axis
   std::vector<std::string> levels;  // under the horizontal axis
   std::vector<Series> series;
-  std::optional<double> top;  // of the axis, which begins at 0; none: what is drawn fits
+  std::optional<double> top;  // of the axis, which begins at 0; none: all fits
 };
 
 /// Draws the chart into the rectangle.

@@ -12,6 +12,8 @@
 #include <sstream>
 #include <thread>
 
+#include <unistd.h>
+
 #include "odas/array/doa_error.hpp"
 #include "odas/base/error.hpp"
 #include "odas/scene/scene_output.hpp"
@@ -26,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kNote = "bench.txt";
-constexpr int kRuler = 1;  // of what is kept: a step whenever scenes come out otherwise
+constexpr int kRuler = 2;  // of what is kept: a step whenever scenes come out otherwise
 
 /// What a kept scene depends on.
 std::string note_of(const BenchScene& scene, const GeneralConfig& array) {
@@ -60,6 +62,14 @@ std::optional<BenchSound> kept(const fs::path& folder, const std::string& note) 
   return sound;
 }
 
+/// Others may read and write there at the same time: a scene is there as a whole, or not at all.
+void put_in_place(const fs::path& part, const fs::path& place) {
+  std::error_code error;
+  fs::remove_all(place, error);
+  fs::rename(part, place, error);
+  if (error) fs::remove_all(part, error);  // somebody else was faster, with the same scene
+}
+
 }  // namespace
 
 BenchSound bench_sound(const BenchScene& bench, const GeneralConfig& array, const fs::path& folder) {
@@ -70,16 +80,19 @@ BenchSound bench_sound(const BenchScene& bench, const GeneralConfig& array, cons
   }
   const Scene scene = make_scene(bench, array);
   SimulatedScene simulated = simulate(scene);
-  if (!folder.empty()) write_scene(scene, simulated, RecordingFormat::wav, place);
+  const fs::path part = place.string() + "." + std::to_string(getpid()) + ".part";
+  if (!folder.empty()) write_scene(scene, simulated, RecordingFormat::wav, part);
   BenchSound sound;
   sound.played = played(scene, std::move(simulated));
   sound.tdoa_bounds = tdoa_bounds(scene, sound.played);
   if (folder.empty()) return sound;
-  std::ofstream out(place / kNote);  // last: with it the scene is whole
+  std::ofstream out(part / kNote);
   out.precision(17);
   out << note << '\n';
   for (const double bound : sound.tdoa_bounds) out << bound << '\n';
-  if (!out.flush()) throw IoError("cannot write all of " + (place / kNote).string());
+  out.close();
+  if (!out) throw IoError("cannot write all of " + (part / kNote).string());
+  put_in_place(part, place);
   return sound;
 }
 

@@ -38,6 +38,7 @@ struct BenchOutcome {
   BenchScene scene;
   Score score;
   std::optional<BenchBound> bound;
+  std::optional<double> ideal_mask_sdr_db;  // of separation
 };
 
 /// Calls `work(i)` for i from 0 to `count` - 1, in `jobs` threads, until `stop`. The first exception ends it,

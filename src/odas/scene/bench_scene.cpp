@@ -19,9 +19,8 @@ constexpr float kQuietDb = 30;
 constexpr float kLeastApart = 35;                   // degrees of azimuth
 constexpr double kCrossFrom = 0.2, kCrossTo = 0.8;  // shares of the scene in which talkers walk
 constexpr double kPause = 4.7;                      // s from one sentence to the next of who pauses
-constexpr std::size_t kCrowdVoices = 6;
 
-enum Part : std::uint32_t { room_part, mic_part, place_part, noise_part, voice_part = 100, crowd_part = 200 };
+enum Part : std::uint32_t { room_part, mic_part, place_part, noise_part, voice_part = 100 };
 
 std::string short_number(float value) {
   const float rounded = std::round(value * 10) / 10;
@@ -211,7 +210,7 @@ class Drawing {
       case BenchNoise::babble:
         scene_.noise->colour = NoiseColour::babble;
         scene_.noise->snr_db = bench_.snr_db;
-        scene_.noise->voices = crowd();
+        scene_.noise->voices = crowd_voices(bench_.seed, bench_.test, scene_.sample_rate, bench_.seconds);
         break;
       case BenchNoise::ego:
         add_point_noise(r, NoiseColour::fan,
@@ -223,17 +222,6 @@ class Drawing {
         scene_.directional_snr_db = bench_.snr_db;
         break;
     }
-  }
-
-  [[nodiscard]] std::vector<std::vector<float>> crowd() const {
-    std::vector<std::vector<float>> voices;
-    for (std::uint32_t v = 0; v < kCrowdVoices; ++v) {
-      Random r = random(crowd_part + v);
-      SoundRecipe recipe = draw_voice(r, bench_.test);
-      recipe.utterances.push_back({0, draw_words(r, bench_.test, 2 + static_cast<int>(bench_.seconds / 2))});
-      voices.push_back(make_sound(recipe, scene_.sample_rate, scene_.samples(), 0));
-    }
-    return voices;
   }
 
   const BenchScene& bench_;

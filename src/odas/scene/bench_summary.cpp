@@ -104,6 +104,39 @@ std::vector<BenchFigure> accuracy_figures() {
        [](const O& o) { return std::optional(o.score.azimuth.ospa_deg); }}};
 }
 
+std::vector<BenchFigure> separation_figures() {
+  using O = BenchOutcome;
+  using S = SeparationScore;
+  const auto db = [](const std::string& key, const std::string& title, auto which, auto member) {
+    return BenchFigure{key, title + ", dB", 1, Middle::mean, [which, member](const O& o) {
+                         const auto& voices = o.score.*which;
+                         return voices ? std::optional<double>((*voices).*member) : std::nullopt;
+                       }};
+  };
+  const auto share = [](const std::string& key, const std::string& title, auto which, auto member) {
+    return BenchFigure{key, title + ", %", 1, Middle::mean, [which, member](const O& o) {
+                         const auto& voices = o.score.*which;
+                         return voices ? percent((*voices).*member) : std::nullopt;
+                       }};
+  };
+  const auto separated = &Score::separated, filtered = &Score::postfiltered;
+  return {{"recall", "recall, %", 1, Middle::mean,
+           [](const O& o) { return percent(o.score.azimuth.tracks.recall); }},
+          db("sdr_in", "SDR in", separated, &S::sdr_in),
+          db("sdr", "SDR", separated, &S::sdr),
+          db("pf_sdr", "SDR filtered", filtered, &S::sdr),
+          {"irm_sdr", "SDR ideal mask, dB", 1, Middle::mean, [](const O& o) { return o.ideal_mask_sdr_db; }},
+          db("si_sdr_in", "SI-SDR in", separated, &S::si_sdr_in),
+          db("si_sdr", "SI-SDR", separated, &S::si_sdr),
+          db("pf_si_sdr", "SI-SDR filtered", filtered, &S::si_sdr),
+          db("sir_in", "SIR in", separated, &S::sir_in),
+          db("sir", "SIR", separated, &S::sir),
+          db("pf_sir", "SIR filtered", filtered, &S::sir),
+          share("stoi_in", "STOI in", separated, &S::stoi_in),
+          share("stoi", "STOI", separated, &S::stoi),
+          share("pf_stoi", "STOI filtered", filtered, &S::stoi)};
+}
+
 std::vector<BenchTable> tables_of(std::span<const BenchOutcome> outcomes,
                                   std::span<const BenchFigure> figures) {
   std::vector<std::string> groups;

@@ -33,6 +33,7 @@ struct BenchFigure {
   std::function<std::optional<double>(const BenchOutcome&)> of;
 };
 [[nodiscard]] std::vector<BenchFigure> accuracy_figures();
+[[nodiscard]] std::vector<BenchFigure> separation_figures();
 
 /// A row: the scenes that have something in common.
 struct BenchRow {

@@ -13,4 +13,8 @@ namespace odas {
 /// `count` sentences, none twice in a row.
 [[nodiscard]] std::string draw_words(Random& random, bool test_half, int count);
 
+/// The voices that a crowd is made of (DiffuseNoise::voices), at the rate of the scene. Throws IoError.
+[[nodiscard]] std::vector<std::vector<float>> crowd_voices(std::uint32_t seed, bool test_half,
+                                                           int sample_rate, double seconds);
+
 }  // namespace odas

@@ -10,12 +10,12 @@ namespace odas {
 /// Impulses between the samples, very many of them: the echoes of a room.
 ///
 /// Method: each impulse is laid down on a grid of kOver points a sample, over four of them by Lagrange's
-/// cubic; `render` then takes the samples from the grid, through the windowed sinc of DelayFilter. Up to half
-/// the sample rate it differs from DelayFilter by less than -60 dB of the impulse. Cost: four sums an
-/// impulse, and kOver * DelayFilter::kTaps products a sample once.
+/// cubic; `render` then takes the samples from the grid, through the windowed sinc of DelayFilter. It differs
+/// from DelayFilter by less than -60 dB up to a half of the band, and -40 dB at its upper end.
+/// Cost: four sums an impulse, and kOver * DelayFilter::kTaps products a sample once.
 class ImpulseTrain {
  public:
-  static constexpr std::size_t kOver = 8;
+  static constexpr std::size_t kOver = 4;
 
   explicit ImpulseTrain(std::size_t samples);
 

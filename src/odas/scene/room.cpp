@@ -2,11 +2,13 @@
 #include "odas/scene/room.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
 #include "odas/base/contract.hpp"
 #include "odas/scene/impulse_train.hpp"
+#include "odas/scene/random.hpp"
 
 namespace odas {
 namespace {
@@ -15,6 +17,7 @@ constexpr float kNearest = 0.01F;     // m: a source inside of a microphone is n
 constexpr double kDecayStep = 0.001;  // s
 constexpr std::size_t kTail = DelayFilter::kTaps;
 constexpr int kFewWalls = 2;
+constexpr float kAllWalls = 12;  // up to here no image is left out
 
 }  // namespace
 
@@ -31,6 +34,7 @@ Room::Room(const Scene& scene)
                                                   direction_of(scene.sources[0].path[0].azimuth,
                                                                scene.sources[0].path[0].elevation);
   match_decay(source);
+  choose_echoes();
 }
 
 std::size_t Room::response_length(float farthest_source) const noexcept {
@@ -95,51 +99,62 @@ void Room::add_response(Vec3 source, const SceneMic& mic, Orders orders, std::sp
   }
 }
 
-/// As for_each_image, but for the ends: a row of images along z is worked out as a whole, which the compiler
-/// does several at a time.
 void Room::add_echoes(Vec3 source, const SceneMic& mic, Orders orders, std::span<float> response) const {
-  const float radius = static_cast<float>(response.size()) / rate_ * speed_;
+  constexpr std::size_t kTogether = 256;
   const Vec3 from = middle_ + source;
   const Vec3 to = middle_ + mic.position;
-  std::vector<Image> xs, ys, zs;
-  images_along(size_.x, from.x, to.x, radius, orders, xs);
-  images_along(size_.y, from.y, to.y, radius, orders, ys);
-  images_along(size_.z, from.z, to.z, radius, orders, zs);
-  std::ranges::sort(zs, {}, &Image::offset);
-  std::vector<float> delays(zs.size()), gains(zs.size());
   const float samples_a_metre = rate_ / speed_;
-  const auto power = [&](int walls) {
-    return powers_[std::min(static_cast<std::size_t>(walls), powers_.size() - 1)];
-  };
-  std::vector<float> heights, powers;  // of zs
-  for (const Image& z : zs) {
-    heights.push_back(z.offset);
-    powers.push_back(power(z.walls));
-  }
+  std::array<float, kTogether> delays, gains;
   ImpulseTrain train(response.size());
-  for (const Image& x : xs) {
-    for (const Image& y : ys) {
-      const float flat = x.offset * x.offset + y.offset * y.offset;
-      if (flat > radius * radius || x.walls + y.walls > orders.last) continue;
-      const float height = std::sqrt(radius * radius - flat);
-      const auto begin =
-          static_cast<std::size_t>(std::ranges::lower_bound(heights, -height) - heights.begin());
-      const auto end = static_cast<std::size_t>(std::ranges::upper_bound(heights, height) - heights.begin());
-      const float towards = mic.axis.x * x.offset + mic.axis.y * y.offset;
-      const float reflected = power(x.walls + y.walls);
-      for (std::size_t i = begin; i < end; ++i) {
-        const float distance = std::max(std::sqrt(flat + heights[i] * heights[i]), kNearest);
-        const float cosine = (towards + mic.axis.z * heights[i]) / distance;
-        delays[i] = distance * samples_a_metre;
-        gains[i] = reflected * powers[i] * (mic.omni + (1 - mic.omni) * cosine) / distance;
-      }
-      for (std::size_t i = begin; i < end; ++i) {
-        const int walls = x.walls + y.walls + zs[i].walls;
-        if (walls >= orders.first && walls <= orders.last) train.add(delays[i], gains[i]);
+  const auto first = std::ranges::lower_bound(echoes_, orders.first, {}, &Echo::walls) - echoes_.begin();
+  const auto last = std::ranges::upper_bound(echoes_, orders.last, {}, &Echo::walls) - echoes_.begin();
+  for (auto begin = static_cast<std::size_t>(first); begin < static_cast<std::size_t>(last);
+       begin += kTogether) {
+    const std::size_t count = std::min(kTogether, static_cast<std::size_t>(last) - begin);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Echo& echo = echoes_[begin + i];
+      const float x = echo.side.x * from.x + echo.shift.x - to.x;
+      const float y = echo.side.y * from.y + echo.shift.y - to.y;
+      const float z = echo.side.z * from.z + echo.shift.z - to.z;
+      const float distance = std::max(std::sqrt(x * x + y * y + z * z), kNearest);
+      const float cosine = (mic.axis.x * x + mic.axis.y * y + mic.axis.z * z) / distance;
+      delays[i] = distance * samples_a_metre;
+      gains[i] = echo.gain * (mic.omni + (1 - mic.omni) * cosine) / distance;
+    }
+    for (std::size_t i = 0; i < count; ++i) train.add(delays[i], gains[i]);
+  }
+  train.render(response);
+}
+
+/// What beta^n and the share of those that are left make of each image of more than a few walls.
+void Room::choose_echoes() {
+  const auto most = static_cast<int>(powers_.size());
+  const float radius = rt60_ * speed_ + 2 * norm(size_);
+  Random random(1);
+  const auto reach = [&](float length) { return static_cast<int>(radius / (2 * length)) + 1; };
+  const auto walls_of = [](int n, int side) { return side > 0 ? std::abs(2 * n) : std::abs(2 * n - 1); };
+  for (int nx = -reach(size_.x); nx <= reach(size_.x); ++nx) {
+    for (int ny = -reach(size_.y); ny <= reach(size_.y); ++ny) {
+      for (int nz = -reach(size_.z); nz <= reach(size_.z); ++nz) {
+        const Vec3 shift{2 * static_cast<float>(nx) * size_.x, 2 * static_cast<float>(ny) * size_.y,
+                         2 * static_cast<float>(nz) * size_.z};
+        if (norm(shift) > radius) continue;
+        for (int sides = 0; sides < 8; ++sides) {
+          const int sx = (sides & 1) != 0 ? -1 : 1, sy = (sides & 2) != 0 ? -1 : 1,
+                    sz = (sides & 4) != 0 ? -1 : 1;
+          const int walls = walls_of(nx, sx) + walls_of(ny, sy) + walls_of(nz, sz);
+          if (walls <= kFewWalls || walls >= most) continue;
+          const float share = std::min(1.F, std::pow(kAllWalls / static_cast<float>(walls), 2.F));
+          if (random.share() >= share) continue;
+          echoes_.push_back({shift,
+                             {static_cast<float>(sx), static_cast<float>(sy), static_cast<float>(sz)},
+                             powers_[static_cast<std::size_t>(walls)] / std::sqrt(share),
+                             walls});
+        }
       }
     }
   }
-  train.render(response);
+  std::ranges::stable_sort(echoes_, {}, &Echo::walls);
 }
 
 /// `energy`: [ms][walls] of 1 / d^2.

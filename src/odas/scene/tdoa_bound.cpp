@@ -34,11 +34,8 @@ std::vector<double> spectrum(std::span<const float> sound, std::span<const std::
 }
 
 /// The share of a talker's energy at microphone 1 that came straight.
-double direct_share(const Scene& scene, const SceneSource& source) {
+double direct_share(const Scene& scene, const Room& room, const SceneSource& source) {
   if (scene.rt60 <= 0) return 1;
-  Scene alone = scene;
-  alone.sources.clear();
-  const Room room(alone);
   const Vec3 from = position_at(source.path, scene.seconds / 2);
   std::vector<float> all(room.response_length(norm(from)));
   std::vector<float> direct(all.size());
@@ -74,13 +71,14 @@ std::vector<double> tdoa_bounds(const Scene& scene, const PlayedScene& played) {
   for (const auto& image : played.sound.images) {
     for (std::size_t n = 0; n < noise.size(); ++n) noise[n] -= image[n];
   }
+  const Room room(scene);
   std::vector<double> bounds;
   std::size_t target = 0;
   for (const SceneSource& source : scene.sources) {
     if (!source.is_target) continue;
     const auto& active = played.truth.sources[target].active;
     bounds.push_back(bound(spectrum(played.sound.images[target], active, scene.hop),
-                           spectrum(noise, active, scene.hop), direct_share(scene, source),
+                           spectrum(noise, active, scene.hop), direct_share(scene, room, source),
                            scene.sample_rate));
     ++target;
   }
