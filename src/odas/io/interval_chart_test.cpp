@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "odas/io/interval_chart.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 namespace odas {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -38,8 +37,9 @@ TEST(BenchSuite, Every_level_of_every_condition_is_in_both_halves_about_equally_
     EXPECT_EQ(snrs.size(), 5U);
     EXPECT_EQ(distances.size(), 6U);
     const auto even = [](const auto& counts) {
-      const auto [low, high] = std::ranges::minmax(counts | std::views::values);
-      return high - low <= 1;
+      const auto fewer = [](const auto& a, const auto& b) { return a.second < b.second; };
+      const auto ends = std::minmax_element(counts.begin(), counts.end(), fewer);
+      return ends.second->second - ends.first->second <= 1;
     };
     EXPECT_TRUE(even(arrays) && even(rooms) && even(snrs) && even(distances));
   }

@@ -22,7 +22,7 @@ std::string cell(const std::optional<Estimate>& figure, int decimals) {
   if (!figure) return "-";
   std::string text = number(figure->value, decimals);
   if (figure->scenes < 2) return text;
-  return text + " (" + number(figure->low, decimals) + "-" + number(figure->high, decimals) + ")";
+  return text + " (" + number(figure->low, decimals) + ", " + number(figure->high, decimals) + ")";
 }
 
 double rounded(double value) { return std::round(value * 1000) / 1000; }

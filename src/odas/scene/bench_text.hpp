@@ -8,7 +8,7 @@
 
 namespace odas {
 
-/// Markdown: a table a condition, "97.1 (94.0-98.9)" a figure.
+/// Markdown: a table a condition, "97.1 (94.0, 98.9)" a figure.
 [[nodiscard]] std::string bench_markdown(std::span<const BenchTable> tables,
                                          std::span<const BenchFigure> figures);
 
