@@ -16,6 +16,7 @@ struct ExitCode {
 
 void add_array(CLI::App& app);
 void add_arrays(CLI::App& app);
+void add_bench(CLI::App& app);
 void add_check(CLI::App& app);
 void add_devices(CLI::App& app);
 void add_learn_noise(CLI::App& app);

@@ -13,10 +13,10 @@ namespace {
 constexpr int kRunTimeFailure = 1;
 constexpr int kWrongUsage = 2;
 
-constexpr std::array kCommands{odas::add_run,     odas::add_live,     odas::add_studio,
-                               odas::add_devices, odas::add_arrays,   odas::add_array,
-                               odas::add_check,   odas::add_tune,     odas::add_learn_noise,
-                               odas::add_targets, odas::add_simulate, odas::add_score};
+constexpr std::array kCommands{
+    odas::add_run,      odas::add_live,  odas::add_studio, odas::add_devices,     odas::add_arrays,
+    odas::add_array,    odas::add_check, odas::add_tune,   odas::add_learn_noise, odas::add_targets,
+    odas::add_simulate, odas::add_score, odas::add_bench};
 
 int run(int argc, char** argv) {
   CLI::App app("odas: artificial hearing for machines", "odas");

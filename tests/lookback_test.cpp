@@ -153,7 +153,7 @@ Scene dialogue(const PipelineConfig& config) {
   Scene scene;
   scene.seconds = 8;
   scene.rt60 = 0.2F;
-  scene.noise = DiffuseNoise{NoiseColour::white, 25};
+  scene.noise = DiffuseNoise{NoiseColour::white, 25, {}};
   for (const MicConfig& mic : config.general.mics) scene.mics.push_back({{mic.mu[0], mic.mu[1], mic.mu[2]}});
   struct Talker {
     float azimuth;

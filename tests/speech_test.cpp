@@ -90,7 +90,7 @@ Grid<float> room_with(const PipelineConfig& config, std::vector<float> sound) {
   Scene scene;
   scene.seconds = 8;
   scene.rt60 = 0.25F;
-  scene.noise = DiffuseNoise{NoiseColour::white, 20};
+  scene.noise = DiffuseNoise{NoiseColour::white, 20, {}};
   for (const MicConfig& mic : config.general.mics) scene.mics.push_back({{mic.mu[0], mic.mu[1], mic.mu[2]}});
   SceneSource source;
   source.path = {{0, 50, 25, 1.2F}};

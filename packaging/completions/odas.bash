@@ -19,7 +19,7 @@ _odas() {
     -o | --out) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -d -- "$cur"); return ;;
   esac
   case $command in
-    '') options='run live studio devices arrays array check tune learn-noise targets simulate score -h --help --version' ;;
+    '') options='run live studio devices arrays array check tune learn-noise targets simulate score bench -h --help --version' ;;
     run) options='-h --help -c --config -o --out --odas-files' ;;
     live) options='-h --help -c --config -v --verbose --studio' ;;
     studio) options='-h --help -l --listen --token --recordings --play --loop --odas --no-qr --any-port' ;;
@@ -30,6 +30,7 @@ _odas() {
     arrays) options='-h --help -p --paths' ;;
     simulate) options='-h --help -o --out --flac' ;;
     score) options='-h --help --json' ;;
+    bench) options='-h --help --scenes --half --filter --seed --jobs --keep --config --set --odas -o --out --json --list' ;;
     targets) options='-h --help --add --remove --set --clear --token' ;;
     check) options='-h --help --keys' ;;
     *) return ;;

@@ -84,6 +84,32 @@ TEST(PointNoise, Has_rms_1_whatever_its_colour) {
   }
 }
 
+TEST(DiffuseNoise, Babble_has_the_colour_of_its_voices_and_comes_from_everywhere) {
+  Scene scene = pair_of_mics(0.1F);
+  scene.noise = DiffuseNoise{
+      NoiseColour::babble,
+      0,
+      {point_noise(NoiseColour::pink, 40000, 16000, 1), point_noise(NoiseColour::pink, 40000, 16000, 2)}};
+  const auto babble = diffuse_noise(scene, NoiseColour::babble, 5);
+  for (const double hertz : {1000.0, 2500.0}) {
+    const double x = 2 * std::numbers::pi * hertz * 0.1 / 343;
+    EXPECT_NEAR(coherence(babble, hertz), std::sin(x) / x, 0.15) << hertz << " Hz";
+  }
+  double power = 0, difference = 0;
+  for (std::size_t n = 1; n < babble.cols(); ++n) {
+    power += std::pow(static_cast<double>(babble[0][n]), 2);
+    difference += std::pow(static_cast<double>(babble[0][n] - babble[0][n - 1]), 2);
+  }
+  EXPECT_LT(difference, power);  // of white noise it would be twice the power
+}
+
+TEST(NoiseAmplitude, A_motor_has_the_harmonics_of_its_shaft) {
+  for (const float harmonic : {110.F, 220.F, 1100.F}) {
+    EXPECT_GT(noise_amplitude(NoiseColour::motor, harmonic),
+              5 * noise_amplitude(NoiseColour::motor, harmonic + 55));
+  }
+}
+
 TEST(NoiseAmplitude, Pink_falls_by_3_dB_an_octave_and_fan_by_6_over_its_corner) {
   const auto fall = [](NoiseColour colour) {
     return 20 * std::log10(noise_amplitude(colour, 2000) / noise_amplitude(colour, 4000));

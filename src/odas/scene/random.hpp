@@ -23,6 +23,14 @@ class Random {
     return (static_cast<float>(generator_() >> 8U) - 8388607.5F) * kStep;
   }
 
+  /// Uniform, 0 to below 1.
+  [[nodiscard]] float share() { return static_cast<float>(generator_() >> 8U) / 16777216.F; }
+  [[nodiscard]] float between(float low, float high) { return low + (high - low) * share(); }
+  /// One of 0 .. count - 1.
+  [[nodiscard]] std::size_t below(std::size_t count) {
+    return static_cast<std::size_t>((std::uint64_t{generator_()} * count) >> 32U);
+  }
+
  private:
   std::mt19937 generator_;
 };

@@ -2,10 +2,13 @@
 #include "odas/scene/room.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
 #include "odas/base/contract.hpp"
+#include "odas/scene/impulse_train.hpp"
+#include "odas/scene/random.hpp"
 
 namespace odas {
 namespace {
@@ -13,6 +16,8 @@ namespace {
 constexpr float kNearest = 0.01F;     // m: a source inside of a microphone is not infinitely loud
 constexpr double kDecayStep = 0.001;  // s
 constexpr std::size_t kTail = DelayFilter::kTaps;
+constexpr int kFewWalls = 2;
+constexpr float kAllWalls = 12;  // up to here no image is left out
 
 }  // namespace
 
@@ -29,6 +34,7 @@ Room::Room(const Scene& scene)
                                                   direction_of(scene.sources[0].path[0].azimuth,
                                                                scene.sources[0].path[0].elevation);
   match_decay(source);
+  choose_echoes();
 }
 
 std::size_t Room::response_length(float farthest_source) const noexcept {
@@ -83,8 +89,72 @@ void Room::add_response(Vec3 source, const SceneMic& mic, Orders orders, std::sp
     if (orders.first == 0) deposit(offset, norm(offset), 0);
     return;
   }
+  const Orders few{orders.first, std::min(orders.last, kFewWalls)};
   const float radius = static_cast<float>(response.size()) / rate_ * speed_;
-  for_each_image(middle_ + source, middle_ + mic.position, orders, radius, deposit);
+  if (few.first <= few.last) {
+    for_each_image(middle_ + source, middle_ + mic.position, few, radius, deposit);
+  }
+  if (orders.last > kFewWalls) {
+    add_echoes(source, mic, {std::max(orders.first, kFewWalls + 1), orders.last}, response);
+  }
+}
+
+void Room::add_echoes(Vec3 source, const SceneMic& mic, Orders orders, std::span<float> response) const {
+  constexpr std::size_t kTogether = 256;
+  const Vec3 from = middle_ + source;
+  const Vec3 to = middle_ + mic.position;
+  const float samples_a_metre = rate_ / speed_;
+  std::array<float, kTogether> delays, gains;
+  ImpulseTrain train(response.size());
+  const auto first = std::ranges::lower_bound(echoes_, orders.first, {}, &Echo::walls) - echoes_.begin();
+  const auto last = std::ranges::upper_bound(echoes_, orders.last, {}, &Echo::walls) - echoes_.begin();
+  for (auto begin = static_cast<std::size_t>(first); begin < static_cast<std::size_t>(last);
+       begin += kTogether) {
+    const std::size_t count = std::min(kTogether, static_cast<std::size_t>(last) - begin);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Echo& echo = echoes_[begin + i];
+      const float x = echo.side.x * from.x + echo.shift.x - to.x;
+      const float y = echo.side.y * from.y + echo.shift.y - to.y;
+      const float z = echo.side.z * from.z + echo.shift.z - to.z;
+      const float distance = std::max(std::sqrt(x * x + y * y + z * z), kNearest);
+      const float cosine = (mic.axis.x * x + mic.axis.y * y + mic.axis.z * z) / distance;
+      delays[i] = distance * samples_a_metre;
+      gains[i] = echo.gain * (mic.omni + (1 - mic.omni) * cosine) / distance;
+    }
+    for (std::size_t i = 0; i < count; ++i) train.add(delays[i], gains[i]);
+  }
+  train.render(response);
+}
+
+/// What beta^n and the share of those that are left make of each image of more than a few walls.
+void Room::choose_echoes() {
+  const auto most = static_cast<int>(powers_.size());
+  const float radius = rt60_ * speed_ + 2 * norm(size_);
+  Random random(1);
+  const auto reach = [&](float length) { return static_cast<int>(radius / (2 * length)) + 1; };
+  const auto walls_of = [](int n, int side) { return side > 0 ? std::abs(2 * n) : std::abs(2 * n - 1); };
+  for (int nx = -reach(size_.x); nx <= reach(size_.x); ++nx) {
+    for (int ny = -reach(size_.y); ny <= reach(size_.y); ++ny) {
+      for (int nz = -reach(size_.z); nz <= reach(size_.z); ++nz) {
+        const Vec3 shift{2 * static_cast<float>(nx) * size_.x, 2 * static_cast<float>(ny) * size_.y,
+                         2 * static_cast<float>(nz) * size_.z};
+        if (norm(shift) > radius) continue;
+        for (int sides = 0; sides < 8; ++sides) {
+          const int sx = (sides & 1) != 0 ? -1 : 1, sy = (sides & 2) != 0 ? -1 : 1,
+                    sz = (sides & 4) != 0 ? -1 : 1;
+          const int walls = walls_of(nx, sx) + walls_of(ny, sy) + walls_of(nz, sz);
+          if (walls <= kFewWalls || walls >= most) continue;
+          const float share = std::min(1.F, std::pow(kAllWalls / static_cast<float>(walls), 2.F));
+          if (random.share() >= share) continue;
+          echoes_.push_back({shift,
+                             {static_cast<float>(sx), static_cast<float>(sy), static_cast<float>(sz)},
+                             powers_[static_cast<std::size_t>(walls)] / std::sqrt(share),
+                             walls});
+        }
+      }
+    }
+  }
+  std::ranges::stable_sort(echoes_, {}, &Echo::walls);
 }
 
 /// `energy`: [ms][walls] of 1 / d^2.

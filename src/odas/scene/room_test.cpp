@@ -91,6 +91,26 @@ TEST(Room, Early_and_late_orders_sum_to_the_whole) {
   for (std::size_t n = 0; n < whole.size(); ++n) EXPECT_NEAR(parts[n], whole[n], 1e-5);
 }
 
+TEST(Room, Microphones_close_to_each_other_hear_the_same_late_echoes) {
+  const Room room(scene_of(0.6F));
+  const Vec3 source{0.9F, -0.7F, 0.2F};
+  const auto late = [&](float x) { return response(room, source, {{x, 0, 0}, {0, 0, 1}, 1}, {13, 1 << 20}); };
+  const auto a = late(0), b = late(0.002F), far = late(0.8F);
+  const auto correlation = [](const std::vector<float>& x, const std::vector<float>& y) {
+    // Differences: what lies near 0 Hz is alike everywhere.
+    double xy = 0, xx = 0, yy = 0;
+    for (std::size_t n = 1; n < x.size(); ++n) {
+      const double dx = static_cast<double>(x[n] - x[n - 1]), dy = static_cast<double>(y[n] - y[n - 1]);
+      xy += dx * dy;
+      xx += dx * dx;
+      yy += dy * dy;
+    }
+    return xy / std::sqrt(xx * yy);
+  };
+  EXPECT_GT(correlation(a, b), 0.95);
+  EXPECT_LT(std::abs(correlation(a, far)), 0.3);
+}
+
 /// Decay of the response by Schroeder's backward integration, without what lies under 100 Hz (a one-pole high
 /// pass, twice): a line from -5 to -35 dB.
 double measured_rt60(std::vector<float> h, double rate) {

@@ -18,6 +18,7 @@ struct SceneMic {
   Vec3 position;       // m, from the middle of the array
   Vec3 axis{0, 0, 1};  // unit; where it points
   float omni = 1;      // 1: omnidirectional, 0.5: cardioid, 0: figure of eight
+  float gain = 1;      // of its amplifier
 };
 
 /// Where a source is at a time, seen from the middle of the array.
@@ -36,12 +37,13 @@ struct SceneSource {
   bool is_played = false;      // by the machine itself: SimulatedScene::played knows it
 };
 
-enum class NoiseColour { white, pink, fan };
+enum class NoiseColour { white, pink, fan, motor, babble };
 
 /// Noise from everywhere alike.
 struct DiffuseNoise {
   NoiseColour colour = NoiseColour::white;
   float snr_db = 20;  // of the targets while at least one speaks, to the noise; mean over the microphones
+  std::vector<std::vector<float>> voices;  // babble: those of whom the crowd is made, at the scene's rate
 };
 
 struct Scene {
@@ -55,6 +57,8 @@ struct Scene {
   std::vector<SceneMic> mics;
   std::vector<SceneSource> sources;
   std::optional<DiffuseNoise> noise;
+  std::optional<float>
+      directional_snr_db;      // as snr_db, to all sources that are no targets; none: as loud as they are
   float noise_level_db = -50;  // dB of full scale of the noise where no target says how loud it has to be
   std::uint32_t seed = 1;
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "odas/config/reader.hpp"
+#include "odas/scene/bench_voice.hpp"
 #include "odas/scene/json_reader.hpp"
 #include "odas/scene/sound.hpp"
 #include "odas/scene/trajectory.hpp"
@@ -20,7 +21,8 @@ constexpr std::initializer_list<const char*> kPatterns{"omni", "subcardioid", "c
                                                        "figure-of-eight"};
 constexpr float kOmniShare[] = {1, 0.7F, 0.5F, 0.366F, 0};
 constexpr std::size_t kCardioid = 2;
-constexpr std::initializer_list<const char*> kColours{"white", "pink", "fan"};
+constexpr std::initializer_list<const char*> kColours{"white", "pink", "fan", "motor"};
+constexpr std::initializer_list<const char*> kDiffuse{"white", "pink", "fan", "motor", "babble"};
 constexpr float kOmniAngle = 180;  // degrees: a microphone that passes everything up to here hears all around
 
 Vec3 vec3(const std::array<float, 3>& a) { return {a[0], a[1], a[2]}; }
@@ -45,6 +47,9 @@ class SceneFile {
     for (std::size_t s = 0; s < scene_.sources.size(); ++s) {
       scene_.sources[s].sound = make_sound(recipes_[s], scene_.sample_rate, scene_.samples(),
                                            scene_.seed + 1000003U * static_cast<std::uint32_t>(s + 1));
+    }
+    if (scene_.noise && scene_.noise->colour == NoiseColour::babble) {
+      scene_.noise->voices = crowd_voices(scene_.seed, false, scene_.sample_rate, scene_.seconds);
     }
     return std::move(scene_);
   }
@@ -97,6 +102,7 @@ class SceneFile {
     if (norm(axis) == 0) mic.fault("direction", "must not be zero");
     result.axis = normalized(axis);
     result.omni = kOmniShare[mic.choice("pattern", pattern, kPatterns)];
+    result.gain = static_cast<float>(std::pow(10, mic.number("gain_db", 0, {-60, 60}) / 20));
     mic.finish();
     scene_.mics.push_back(result);
   }
@@ -171,10 +177,14 @@ class SceneFile {
   }
 
   void read_noise(JsonReader& root) {
+    if (root.has("directional_snr_db")) {
+      scene_.directional_snr_db =
+          static_cast<float>(root.number("directional_snr_db", std::nullopt, {-60, 120}));
+    }
     if (!root.has("noise")) return;
     JsonReader noise = root.object("noise");
     DiffuseNoise result;
-    result.colour = static_cast<NoiseColour>(noise.choice("kind", 0, kColours));
+    result.colour = static_cast<NoiseColour>(noise.choice("kind", 0, kDiffuse));
     result.snr_db = static_cast<float>(noise.number("snr_db", 20, {-60, 120}));
     scene_.noise_level_db = static_cast<float>(noise.number("level_db", -50, {-120, -10}));
     noise.finish();

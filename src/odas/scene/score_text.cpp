@@ -47,6 +47,8 @@ std::string voice_table(const Score& score) {
                      of(score.separated, &S::si_sdr), of(score.postfiltered, &S::si_sdr));
   text += voice_rows("SIR, signal to other talkers", of(in, &S::sir_in), of(score.separated, &S::sir),
                      of(score.postfiltered, &S::sir));
+  text += voice_rows("STOI, how much is understood, %", percent(of(in, &S::stoi_in)),
+                     percent(of(score.separated, &S::stoi)), percent(of(score.postfiltered, &S::stoi)));
   return text;
 }
 
@@ -74,6 +76,8 @@ void put_voices(ordered_json& out, const std::optional<SeparationScore>& voices,
   out[prefix + "si_sdr_in"] = rounded(voices->si_sdr_in);
   out[prefix + "sir"] = rounded(voices->sir);
   out[prefix + "sir_in"] = rounded(voices->sir_in);
+  out[prefix + "stoi"] = rounded(voices->stoi);
+  out[prefix + "stoi_in"] = rounded(voices->stoi_in);
 }
 
 }  // namespace

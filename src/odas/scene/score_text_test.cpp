@@ -19,7 +19,7 @@ Score a_score() {
   score.azimuth.tracks.error_deg = 2.5;
   score.azimuth.ospa_deg = 4.25;
   score.angle.tracks.recall = 0;
-  score.separated = SeparationScore{7.125, 0.25, 5, -1, 12.5, 0};
+  score.separated = SeparationScore{7.125, 0.25, 5, -1, 12.5, 0, 0.75, 0.5};
   return score;
 }
 
@@ -32,6 +32,8 @@ TEST(ScoreJson, has_the_names_of_the_reference_scorer_and_three_decimals) {
   EXPECT_EQ(score.at("az_ospa"), 4.25);
   EXPECT_EQ(score.at("sdr"), 7.125);
   EXPECT_EQ(score.at("sir"), 12.5);
+  EXPECT_EQ(score.at("stoi"), 0.75);
+  EXPECT_EQ(score.at("stoi_in"), 0.5);
   EXPECT_EQ(score.at("si_sdr_in"), -1);
 }
 

@@ -6,6 +6,7 @@
 
 #include "odas/scene/correlation.hpp"
 #include "odas/scene/projection.hpp"
+#include "odas/scene/stoi.hpp"
 
 namespace odas {
 namespace {
@@ -78,13 +79,14 @@ class Mean {
 };
 
 struct Means {
-  Mean sdr, si_sdr, sir;
+  Mean sdr, si_sdr, sir, stoi;
 
   void add(std::span<const float> estimate, std::span<const float> target,
-           std::span<const std::vector<float>> others) {
+           std::span<const std::vector<float>> others, int sample_rate) {
     sdr.add(sdr_db(estimate, target));
     si_sdr.add(si_sdr_db(estimate, target));
     sir.add(sir_db(estimate, target, others));
+    if (const auto share = odas::stoi(target, estimate, sample_rate)) stoi.add(*share);
   }
 };
 
@@ -105,12 +107,12 @@ std::optional<SeparationScore> score_separation(const KnownScene& scene, const K
     }
     auto voice = voice_of_source(mask, voice_of, scene.hop_size, samples);
     bring_forward(voice, best_lag(voice, target, kLags));
-    out.add(voice, target, others);
-    in.add(mask(sound.mic, samples), target, others);
+    out.add(voice, target, others, scene.sample_rate);
+    in.add(mask(sound.mic, samples), target, others, scene.sample_rate);
   }
   if (!out.sdr.value()) return std::nullopt;
-  return SeparationScore{*out.sdr.value(),   *in.sdr.value(), *out.si_sdr.value(),
-                         *in.si_sdr.value(), out.sir.value(), in.sir.value()};
+  return SeparationScore{*out.sdr.value(), *in.sdr.value(), *out.si_sdr.value(), *in.si_sdr.value(),
+                         out.sir.value(),  in.sir.value(),  out.stoi.value(),    in.stoi.value()};
 }
 
 }  // namespace odas

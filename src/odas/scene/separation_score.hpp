@@ -24,7 +24,8 @@ struct KnownSound {
 struct SeparationScore {
   double sdr = 0, sdr_in = 0;
   double si_sdr = 0, si_sdr_in = 0;
-  std::optional<double> sir, sir_in;  // where several talk
+  std::optional<double> sir, sir_in;    // where several talk
+  std::optional<double> stoi, stoi_in;  // where there is enough of it
 };
 
 /// Method: a source's voice is put together from its tracks (`followed`: [source][hop], id 0: none); where

@@ -134,9 +134,25 @@ double power_of(const Grid<float>& mics) {
   return power / static_cast<double>(std::max<std::size_t>(1, mics.rows() * mics.cols()));
 }
 
-void add_scaled(const Grid<float>& from, float gain, Grid<float>& to) {
+void add(const Grid<float>& from, Grid<float>& to) {
   for (std::size_t m = 0; m < to.rows(); ++m) {
-    for (std::size_t n = 0; n < to.cols(); ++n) to[m][n] += gain * from[m][n];
+    for (std::size_t n = 0; n < to.cols(); ++n) to[m][n] += from[m][n];
+  }
+}
+
+void scale(Grid<float>& sound, float gain) {
+  for (std::size_t m = 0; m < sound.rows(); ++m) {
+    for (float& x : sound[m]) x *= gain;
+  }
+}
+
+/// The amplifiers come behind the microphones: they change no SNR.
+void amplify(const Scene& scene, SimulatedScene& result) {
+  for (std::size_t m = 0; m < scene.mics.size(); ++m) {
+    for (float& x : result.mics[m]) x *= scene.mics[m].gain;
+  }
+  for (auto& image : result.images) {
+    for (float& x : image) x *= scene.mics[0].gain;
   }
 }
 
@@ -148,9 +164,7 @@ void avoid_clipping(SimulatedScene& scene) {
   }
   if (peak <= kHighestPeak) return;
   scene.scale = kHighestPeak / peak;
-  for (std::size_t m = 0; m < scene.mics.rows(); ++m) {
-    for (float& x : scene.mics[m]) x *= scene.scale;
-  }
+  scale(scene.mics, scene.scale);
   for (float& x : scene.played) x *= scene.scale;
   for (auto& image : scene.images) {
     for (float& x : image) x *= scene.scale;
@@ -180,20 +194,26 @@ SimulatedScene simulate(const Scene& scene, const std::function<void(double)>& p
     }
     Grid<float> image(scene.mics.size(), scene.samples());
     play(scene, room, source, image);
-    add_scaled(image, 1, source.is_target ? targets : result.mics);
+    add(image, source.is_target ? targets : result.mics);
     if (!source.is_target) continue;
     result.truth.push_back(truth_of(scene, source));
     result.images.emplace_back(image[0].begin(), image[0].end());
   }
+  const double heard = power_while_active(scene, targets, result.truth);
+  const auto set_level = [&](Grid<float>& noise, float snr_db) {
+    double wanted = heard * std::pow(10.0, -static_cast<double>(snr_db) / 10);
+    if (wanted <= 0) wanted = std::pow(10.0, static_cast<double>(scene.noise_level_db) / 10);
+    scale(noise, static_cast<float>(std::sqrt(wanted / std::max(power_of(noise), 1e-30))));
+  };
+  if (scene.directional_snr_db) set_level(result.mics, *scene.directional_snr_db);
   if (scene.noise) {
     report(1 - 1 / parts);
-    const Grid<float> noise = diffuse_noise(scene, scene.noise->colour, scene.seed);
-    double wanted = power_while_active(scene, targets, result.truth) *
-                    std::pow(10.0, -static_cast<double>(scene.noise->snr_db) / 10);
-    if (wanted <= 0) wanted = std::pow(10.0, static_cast<double>(scene.noise_level_db) / 10);
-    add_scaled(noise, static_cast<float>(std::sqrt(wanted / power_of(noise))), result.mics);
+    Grid<float> noise = diffuse_noise(scene, scene.noise->colour, scene.seed);
+    set_level(noise, scene.noise->snr_db);
+    add(noise, result.mics);
   }
-  add_scaled(targets, 1, result.mics);
+  add(targets, result.mics);
+  amplify(scene, result);
   avoid_clipping(result);
   report(1);
   return result;

@@ -42,7 +42,7 @@ double power(std::span<const float> x) {
 
 TEST(Simulate, Same_scene_same_samples) {
   Scene scene = small_scene(0.15F);
-  scene.noise = DiffuseNoise{NoiseColour::white, 10};
+  scene.noise = DiffuseNoise{NoiseColour::white, 10, {}};
   const SimulatedScene a = simulate(scene);
   const SimulatedScene b = simulate(scene);
   EXPECT_TRUE(std::equal(a.mics.data(), a.mics.data() + 2 * a.mics.cols(), b.mics.data()));
@@ -98,7 +98,7 @@ TEST(Simulate, Truth_follows_the_waypoints) {
 TEST(Simulate, Noise_is_as_far_under_the_talkers_as_asked) {
   Scene scene = small_scene(0.2F);
   const auto clean = simulate(scene);
-  scene.noise = DiffuseNoise{NoiseColour::pink, 12};
+  scene.noise = DiffuseNoise{NoiseColour::pink, 12, {}};
   const auto noisy = simulate(scene);
   Grid<float> noise(2, clean.mics.cols());
   double speech_power = 0;

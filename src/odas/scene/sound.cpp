@@ -42,6 +42,24 @@ class TemporaryFile {
   std::string name_;
 };
 
+struct Frames {
+  SF_INFO info{};
+  std::size_t channels = 0;
+  std::vector<float> samples;  // interleaved
+};
+
+Frames read_frames(const std::filesystem::path& file) {
+  Frames frames;
+  const std::unique_ptr<SNDFILE, int (*)(SNDFILE*)> sound(sf_open(file.c_str(), SFM_READ, &frames.info),
+                                                          sf_close);
+  if (!sound) throw IoError("cannot read " + file.string() + ": " + sf_strerror(nullptr));
+  frames.channels = static_cast<std::size_t>(frames.info.channels);
+  frames.samples.resize(static_cast<std::size_t>(frames.info.frames) * frames.channels);
+  const sf_count_t got = sf_readf_float(sound.get(), frames.samples.data(), frames.info.frames);
+  frames.samples.resize(static_cast<std::size_t>(std::max<sf_count_t>(0, got)) * frames.channels);
+  return frames;
+}
+
 std::vector<float> speak(const SoundRecipe& recipe, const std::string& words, int sample_rate) {
   const TemporaryFile file;
   const std::string speed = std::to_string(recipe.words_per_minute);
@@ -90,13 +108,11 @@ void set_level(std::vector<float>& sound, float gain_db, int sample_rate) {
 }  // namespace
 
 std::vector<float> read_mono(const std::filesystem::path& file, int sample_rate) {
-  SF_INFO info{};
-  const std::unique_ptr<SNDFILE, int (*)(SNDFILE*)> sound(sf_open(file.c_str(), SFM_READ, &info), sf_close);
-  if (!sound) throw IoError("cannot read " + file.string() + ": " + sf_strerror(nullptr));
-  const auto channels = static_cast<std::size_t>(info.channels);
-  std::vector<float> frames(static_cast<std::size_t>(info.frames) * channels);
-  const sf_count_t got = sf_readf_float(sound.get(), frames.data(), info.frames);
-  std::vector<float> mono(static_cast<std::size_t>(std::max<sf_count_t>(0, got)));
+  const Frames read = read_frames(file);
+  const std::vector<float>& frames = read.samples;
+  const std::size_t channels = read.channels;
+  const SF_INFO& info = read.info;
+  std::vector<float> mono(frames.size() / channels);
   for (std::size_t n = 0; n < mono.size(); ++n) mono[n] = frames[n * channels];
   if (info.samplerate == sample_rate || mono.empty()) return mono;
   const double ratio = static_cast<double>(sample_rate) / info.samplerate;
@@ -111,6 +127,15 @@ std::vector<float> read_mono(const std::filesystem::path& file, int sample_rate)
   if (error != 0) throw IoError("cannot resample " + file.string() + ": " + src_strerror(error));
   resampled.resize(static_cast<std::size_t>(data.output_frames_gen));
   return resampled;
+}
+
+Grid<float> read_channels(const std::filesystem::path& file) {
+  const Frames read = read_frames(file);
+  Grid<float> sound(read.channels, read.samples.size() / read.channels);
+  for (std::size_t c = 0; c < sound.rows(); ++c) {
+    for (std::size_t n = 0; n < sound.cols(); ++n) sound[c][n] = read.samples[n * read.channels + c];
+  }
+  return sound;
 }
 
 std::vector<float> make_sound(const SoundRecipe& recipe, int sample_rate, std::size_t samples,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "odas/base/grid.hpp"
 #include "odas/scene/scene.hpp"
 
 namespace odas {
@@ -37,5 +38,8 @@ struct SoundRecipe {
 
 /// The first channel of a sound file, resampled. Throws IoError.
 [[nodiscard]] std::vector<float> read_mono(const std::filesystem::path& file, int sample_rate);
+
+/// All channels of a sound file, as they are: [channel][sample]. Throws IoError.
+[[nodiscard]] Grid<float> read_channels(const std::filesystem::path& file);
 
 }  // namespace odas
