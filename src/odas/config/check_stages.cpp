@@ -139,13 +139,20 @@ void check_sst(const SstConfig& sst, CheckReport& report) {
 }
 
 void check_windows(const Configuration& config, CheckReport& report) {
-  const int frame = config.pipeline.general.size.frame_size;
-  if (!report.sound("general.size")) return;
+  if (!report.sound("general.size") || !report.sound("sss.frameSize")) return;
+  const auto frame = static_cast<int>(separation_frame(config.pipeline));
+  if (frame < config.pipeline.general.size.hop_size && frame != config.pipeline.general.size.frame_size) {
+    report.error("sss.frameSize", "is " + std::to_string(config.pipeline.sss.frame_size) +
+                                      ", must be at least general.size.hopSize, which is " +
+                                      std::to_string(config.pipeline.general.size.hop_size));
+  }
+  const int heard = config.pipeline.general.size.frame_size;
+  const std::string whose = frame == heard ? "general.size.frameSize" : "sss.frameSize";
   const MultiSourceFilterConfig& ms = config.pipeline.sss.ms;
   const auto check = [&](const char* path, int size) {
     if (size <= frame || !report.sound(path)) return;
-    const std::string what = "is " + std::to_string(size) +
-                             ", must be at most general.size.frameSize, which is " + std::to_string(frame);
+    const std::string what =
+        "is " + std::to_string(size) + ", must be at most " + whose + ", which is " + std::to_string(frame);
     // Many files carry the settings of a post-filter that they do not use.
     if (config.pipeline.sss.mode_pf == "ms") {
       report.error(path, what);
@@ -156,9 +163,9 @@ void check_windows(const Configuration& config, CheckReport& report) {
   check("sss.ms.winSizeLocal", ms.win_size_local);
   check("sss.ms.winSizeGlobal", ms.win_size_global);
   check("sss.ms.winSizeFrame", ms.win_size_frame);
-  if (report.sound("sne.b") && config.pipeline.sne.b > frame / 2 + 1) {
+  if (report.sound("sne.b") && config.pipeline.sne.b > std::min(frame, heard) / 2 + 1) {
     report.error("sne.b", "is " + std::to_string(config.pipeline.sne.b) + ", more than the " +
-                              std::to_string(frame / 2 + 1) + " bins of a frame");
+                              std::to_string(std::min(frame, heard) / 2 + 1) + " bins of a frame");
   }
 }
 

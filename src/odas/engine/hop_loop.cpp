@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "odas/engine/hop_loop.hpp"
 
+#include <algorithm>
+
 namespace odas {
 
 namespace {
 
 /// Until nothing of the sound before a gap is left in frames, overlaps and filters.
 std::uint64_t run_out_hops(const Configuration& config) {
-  const auto& size = config.pipeline.general.size;
-  return static_cast<std::uint64_t>(size.frame_size / size.hop_size) + 2;
+  const SizeConfig& size = config.pipeline.general.size;
+  const std::size_t frame =
+      std::max(static_cast<std::size_t>(size.frame_size), separation_frame(config.pipeline));
+  return frame / static_cast<std::size_t>(size.hop_size) + 2;
 }
 
 }  // namespace

@@ -11,14 +11,15 @@ std::size_t lookback_hops(const PipelineConfig& config) {
 }
 
 std::size_t separation_frame(const PipelineConfig& config) {
-  return static_cast<std::size_t>(config.general.size.frame_size) / 2 * 2;
+  const int frame = config.sss.frame_size > 0 ? config.sss.frame_size : config.general.size.frame_size;
+  return static_cast<std::size_t>(frame) / 2 * 2;
 }
 
 double voice_delay_s(const PipelineConfig& config) {
   const SizeConfig& size = config.general.size;
-  const int frame = size.frame_size / 2 * 2;  // as the pipeline takes it
-  const auto samples =
-      static_cast<double>(frame - size.hop_size) + static_cast<double>(lookback_hops(config)) * size.hop_size;
+  const auto hop = static_cast<double>(size.hop_size);
+  const double samples =
+      static_cast<double>(separation_frame(config)) - hop + static_cast<double>(lookback_hops(config)) * hop;
   return samples / config.general.samplerate.mu;
 }
 

@@ -42,7 +42,8 @@ struct PipelineConfig {
 /// `sss.lookback` in whole hops, the nearest number.
 [[nodiscard]] std::size_t lookback_hops(const PipelineConfig& config);
 
-/// The frame of separation, samples; even.
+/// The frame of separation, samples: `sss.frameSize`, or that of all stages where it has none of its own;
+/// even.
 [[nodiscard]] std::size_t separation_frame(const PipelineConfig& config);
 
 /// By how much separated and post-filtered audio comes later than the microphones, s: hop n of the audio

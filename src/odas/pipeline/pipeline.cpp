@@ -32,6 +32,9 @@ struct Stages {
   bool post_filter, classifier, separated, beamformer, tracker, localizer;
 };
 
+// Nobody looks at reports more often, and they cost logarithms.
+constexpr HopIndex kReportHops = 12;
+
 /// Whether a source that is followed sounds.
 bool anybody_speaks(std::span<const Track> tracks) noexcept {
   constexpr float kSounds = 0.5F;
@@ -51,14 +54,16 @@ struct Pipeline::Parts {
   // What the configuration says
   Wanted wanted;
   McraConfig sne;
-  std::size_t mics, hop_size, frame_size;
+  std::size_t mics, hop_size, frame_size, voice_frame;
   int sample_rate;
 
   // The stages; those that nobody needs are absent
   InputGuard guard;
   Stft stft;
+  std::optional<Stft> voice_stft;  // where separation has a frame of its own
   LookBack lookback;
   std::optional<Mcra> noise;
+  std::optional<Mcra> voice_noise;        // of the bins of voice_stft
   std::optional<NoiseField> known_noise;  // of the machine itself
   std::unique_ptr<Localizer> localizer;
   std::unique_ptr<Tracker> tracker;
@@ -70,10 +75,12 @@ struct Pipeline::Parts {
 
   // What goes from stage to stage
   HopIndex time = 0;
+  Grid<cfloat> spectra;  // [mic][bin], where separation has spectra of its own; else they go to look-back
   std::vector<Potential> potentials;
   std::vector<Track> tracks;            // [slot]
   Grid<cfloat> beams, filtered;         // [slot][bin]
   Grid<float> separated, postfiltered;  // [slot][hop]
+  std::vector<BeamReport> reports;      // [slot]
 };
 
 Pipeline::Parts::Parts(const PipelineConfig& config)
@@ -82,13 +89,16 @@ Pipeline::Parts::Parts(const PipelineConfig& config)
       mics(config.general.mics.size()),
       hop_size(size(config.general.size.hop_size)),
       frame_size(size(config.general.size.frame_size) / 2 * 2),
+      voice_frame(Stages(wanted).beamformer ? separation_frame(config) : frame_size),
       sample_rate(config.general.samplerate.mu),
       guard(mics, hop_size),
       stft(mics, hop_size, frame_size),
-      lookback(Stages(wanted).beamformer ? odas::lookback_hops(config) : 0, mics, stft.bins(),
+      lookback(Stages(wanted).beamformer ? odas::lookback_hops(config) : 0, mics, voice_frame / 2 + 1,
                config.sst.slots()),
       tracks(config.sst.slots()) {
   const Stages stages(wanted);
+  GeneralConfig heard = config.general;  // as separation sees it
+  heard.size.frame_size = static_cast<int>(voice_frame);
   if (stages.localizer) {
     localizer = make_localizer(config.general, config.ssl);
     potentials.resize(size(config.ssl.n_pots));
@@ -99,27 +109,35 @@ Pipeline::Parts::Parts(const PipelineConfig& config)
                                         localizer->plan().heard_share, potentials.size()});
   }
   if (stages.beamformer) {
-    beamformer = make_beamformer(config.sss, config.general, slots());
+    beamformer = make_beamformer(config.sss, heard, slots());
+    beams = Grid<cfloat>(slots(), voice_frame / 2 + 1);
+    reports.resize(slots());
     if (!config.known_noise.empty()) {
       known_noise.emplace(config.known_noise);
       beamformer->use_noise(&*known_noise);
     }
-    beams = Grid<cfloat>(slots(), stft.bins());
   }
   if (stages.separated) {
-    separated_istft.emplace(slots(), hop_size, frame_size);
+    separated_istft.emplace(slots(), hop_size, voice_frame);
     separated = Grid<float>(slots(), hop_size);
   }
   if (stages.classifier) classifier = make_classifier(config.classify, hop_size, slots());
   if (stages.post_filter) {
-    post_filter = make_post_filter(config.sss, config.sne, config.general, slots());
-    filtered = Grid<cfloat>(slots(), stft.bins());
-    postfiltered_istft.emplace(slots(), hop_size, frame_size);
+    post_filter = make_post_filter(config.sss, config.sne, heard, slots());
+    filtered = Grid<cfloat>(slots(), voice_frame / 2 + 1);
+    postfiltered_istft.emplace(slots(), hop_size, voice_frame);
     postfiltered = Grid<float>(slots(), hop_size);
   }
-  if ((localizer && localizer->needs_noise()) || (post_filter && post_filter->needs_noise())) {
+  const bool apart = voice_frame != frame_size;
+  if (apart) {
+    voice_stft.emplace(mics, hop_size, voice_frame);
+    spectra = Grid<cfloat>(mics, stft.bins());
+  }
+  const bool noise_for_filter = post_filter && post_filter->needs_noise();
+  if ((localizer && localizer->needs_noise()) || (noise_for_filter && !apart)) {
     noise.emplace(config.sne, mics, stft.bins());
   }
+  if (noise_for_filter && apart) voice_noise.emplace(config.sne, mics, voice_stft->bins());
 }
 
 Pipeline::Pipeline(const PipelineConfig& config) : parts_(std::make_unique<Parts>(config)) {}
@@ -131,11 +149,15 @@ HopResult Pipeline::process_hop(GridView<const float> mics) noexcept {
   Parts& p = *parts_;
   ODAS_EXPECT(mics.rows() == p.mics && mics.cols() == p.hop_size);
   ++p.time;
-  const GridView<cfloat> spectra = p.lookback.begin_hop();
   const GridView<const float> heard = p.guard.pass(mics);
+  const GridView<cfloat> kept = p.lookback.begin_hop();
+  const GridView<cfloat> spectra = p.voice_stft ? p.spectra.view() : kept;
   p.stft.analyse(heard, spectra);
+  if (p.voice_stft) p.voice_stft->analyse(heard, kept);
   if (p.noise) p.noise->update(spectra);
+  if (p.voice_noise) p.voice_noise->update(kept);
   const GridView<const float> noise_psd = p.noise ? p.noise->psd() : GridView<const float>();
+  const GridView<const float> voice_psd = p.voice_noise ? p.voice_noise->psd() : noise_psd;
   if (p.localizer) p.localizer->locate(spectra, noise_psd, p.potentials);
   p.muting.hush(p.potentials);
   if (p.tracker) p.tracker->update(p.potentials, p.tracks);
@@ -146,13 +168,17 @@ HopResult Pipeline::process_hop(GridView<const float> mics) noexcept {
   const std::span<const Track> voices = p.lookback.recall(p.tracks);
   if (p.known_noise) p.known_noise->update(then, anybody_speaks(voices));
   if (p.beamformer) p.beamformer->separate(then, voices, p.beams);
+  if (p.time % kReportHops == 0) {
+    for (std::size_t s = 0; s < p.reports.size(); ++s) p.reports[s] = p.beamformer->report(s);
+  }
   if (p.separated_istft) p.separated_istft->synthesise(p.beams, p.separated);
   if (p.classifier) p.classifier->classify(p.separated, p.tracks);
   if (p.post_filter) {
-    p.post_filter->apply(then, noise_psd, voices, *p.beamformer, p.beams, p.filtered);
+    p.post_filter->apply(then, voice_psd, voices, *p.beamformer, p.beams, p.filtered);
     p.postfiltered_istft->synthesise(p.filtered, p.postfiltered);
   }
   HopResult result{p.time, p.potentials, p.tracks, p.separated, p.postfiltered};
+  result.reports = p.reports;
   if (p.wanted.mics) result.mics = heard;
   if (p.localizer) result.power = p.localizer->power_map();
   return result;
@@ -172,7 +198,7 @@ bool Pipeline::can_continue(const Pipeline& before) const noexcept {
   const Parts& p = *parts_;
   const Parts& b = *before.parts_;
   return p.mics == b.mics && p.hop_size == b.hop_size && p.frame_size == b.frame_size &&
-         p.sample_rate == b.sample_rate && p.slots() == b.slots() &&
+         p.voice_frame == b.voice_frame && p.sample_rate == b.sample_rate && p.slots() == b.slots() &&
          p.potentials.size() == b.potentials.size() && p.lookback.hops() == b.lookback.hops() &&
          p.wanted == b.wanted && power_grid().size() == before.power_grid().size();
 }
@@ -184,10 +210,12 @@ void Pipeline::continue_from(Pipeline& before) noexcept {
   p.time = b.time;
   std::swap(p.guard, b.guard);
   std::swap(p.stft, b.stft);
+  std::swap(p.voice_stft, b.voice_stft);
   std::swap(p.lookback, b.lookback);
   std::swap(p.separated_istft, b.separated_istft);
   std::swap(p.postfiltered_istft, b.postfiltered_istft);
   if (p.noise && b.noise && p.sne == b.sne) std::swap(p.noise, b.noise);
+  if (p.voice_noise && b.voice_noise && p.sne == b.sne) std::swap(p.voice_noise, b.voice_noise);
   p.muting = b.muting;
   if (p.tracker) p.tracker->continue_from(*b.tracker);
 }
@@ -195,11 +223,14 @@ void Pipeline::continue_from(Pipeline& before) noexcept {
 void Pipeline::reset() noexcept {
   Parts& p = *parts_;
   p.time = 0;
+  std::fill(p.reports.begin(), p.reports.end(), BeamReport{});
   p.muting.set({});
   p.guard.reset();
   p.stft.reset();
+  if (p.voice_stft) p.voice_stft->reset();
   p.lookback.reset();
   if (p.noise) p.noise->reset();
+  if (p.voice_noise) p.voice_noise->reset();
   if (p.localizer) p.localizer->reset();
   if (p.tracker) p.tracker->reset();
   if (p.known_noise) p.known_noise->reset();
@@ -223,13 +254,14 @@ std::uint64_t Pipeline::non_finite_samples() const noexcept { return parts_->gua
 Pipeline::Plan Pipeline::plan() const {
   const Parts& p = *parts_;
   Plan plan;
-  plan.transform_ms = 1000.0 * static_cast<double>(p.frame_size - p.hop_size) / p.sample_rate;
+  plan.transform_ms = 1000.0 * static_cast<double>(p.voice_frame - p.hop_size) / p.sample_rate;
   plan.lookback_ms = 1000.0 * static_cast<double>(p.lookback.hops() * p.hop_size) / p.sample_rate;
-  plan.memory_bytes =
-      p.lookback.memory_bytes() +
-      sizeof(float) *
-          (p.mics * (p.frame_size + p.hop_size) + 2 * p.stft.bins() * (p.beams.rows() + p.filtered.rows()) +
-           p.slots() * (p.frame_size + p.hop_size) * (p.wanted.separated + p.wanted.postfiltered));
+  plan.memory_bytes = p.lookback.memory_bytes() +
+                      sizeof(float) * (p.mics * (p.frame_size + p.hop_size) +
+                                       (p.voice_stft ? p.mics * (p.voice_frame + 2 * p.stft.bins()) : 0) +
+                                       2 * p.beams.cols() * (p.beams.rows() + p.filtered.rows()) +
+                                       p.slots() * (p.voice_frame + p.hop_size) *
+                                           (p.wanted.separated + p.wanted.postfiltered));
   if (p.localizer) {
     const LocalizerPlan located = p.localizer->plan();
     plan.pairs = located.pairs;

@@ -6,6 +6,7 @@
 
 #include "odas/array/types.hpp"
 #include "odas/pipeline/config.hpp"
+#include "odas/separation/beam_report.hpp"
 #include "odas/tracking/target.hpp"
 
 namespace odas {
@@ -19,16 +20,17 @@ struct HopResult {
   GridView<const float> separated;     // [slot][hop], full scale 1, processing rate, before gain_sep
   GridView<const float> postfiltered;  // [slot][hop], before gain_pf
   // Of the hop itself, where expressly asked for:
-  GridView<const float> mics{};    // [mic][hop]
-  std::span<const float> power{};  // [direction of Pipeline::power_grid], E
+  GridView<const float> mics{};           // [mic][hop]
+  std::span<const float> power{};         // [direction of Pipeline::power_grid], E
+  std::span<const BeamReport> reports{};  // [slot]: how well separation goes, ten times a second or so
 };
 
 /// The whole of hearing, one hop at a time: microphones in, directions, tracks and voices out.
 ///
 /// Shapes: `mics` is [mic][hop] at `general.samplerate.mu`, full scale 1.
-/// Delay: separated audio is `voice_delay_s` behind the microphones: `frame_size - hop_size` samples, and
-/// `sss.lookback`. Potentials and tracks are of the hop itself.
-/// Errors: the constructor throws ConfigError. A non-finite sample counts as silence and is counted.
+/// Delay: separated audio is `voice_delay_s` behind the microphones: `separation_frame - hop_size` samples,
+/// and `sss.lookback`. Potentials and tracks are of the hop itself. Errors: the constructor throws
+/// ConfigError. A non-finite sample counts as silence and is counted.
 class Pipeline {
  public:
   explicit Pipeline(const PipelineConfig& config);

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "odas/array/types.hpp"
+#include "odas/separation/beam_report.hpp"
 
 namespace odas {
 
@@ -29,6 +31,16 @@ class Beamformer {
   /// The machine's own noise, for those that can null it; it outlives the beamformer. Called once, if at all,
   /// before the first hop.
   virtual void use_noise(const NoiseField* /*noise*/) noexcept {}
+
+  /// [bin]: the share of the slot's talker in the sound of the last hop, 0..1; empty where the method has
+  /// none.
+  [[nodiscard]] virtual std::span<const float> mask(std::size_t /*slot*/) const noexcept { return {}; }
+
+  /// How well it goes, for a slot that lives.
+  [[nodiscard]] virtual BeamReport report(std::size_t /*slot*/) const noexcept {
+    constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+    return {kUnknown, kUnknown, kUnknown};
+  }
 
   /// The state after construction, exactly.
   virtual void reset() noexcept = 0;

@@ -42,10 +42,45 @@ Schema SingleSourceFilterConfig::schema() {
   return fields;
 }
 
+Schema AdaptiveConfig::schema() {
+  using C = AdaptiveConfig;
+  static const std::vector<Field> fields{
+      field<&C::memory>("memory", "s", {0.01, 3600},
+                        "time constant of what is learned, of the time it is heard"),
+      field<&C::loading>("loading", "", kPositive, "diagonal loading, of the power of all but the talker"),
+      field<&C::unexplained>(
+          "unexplained", "", kNotNegative,
+          "diagonal loading, of the power of the talker: more harms one in quiet less, and "
+          "lets more of the others pass"),
+      field<&C::tradeoff>("tradeoff", "", kNotNegative,
+                          "weight of the Wiener share: 0 takes out what the array can, more also bins where "
+                          "the talker is weak (dmvdr alone)"),
+      field<&C::harm>("harm", "", kPositive,
+                      "ratio of powers, talker to all else, at which half of the reference microphone is let "
+                      "through as it is"),
+      field<&C::white_noise_gain>("whiteNoiseGain", "dB", {-60, 30},
+                                  "loading grows where the white noise gain falls under this"),
+  };
+  return fields;
+}
+
+Schema MaskFilterConfig::schema() {
+  using C = MaskFilterConfig;
+  static const std::vector<Field> fields{
+      field<&C::g_min>("Gmin", "", kUnit, "smallest gain"),
+      field<&C::leak>("leak", "", kUnit, "how much of the others is thought to be left in a beam, as power"),
+  };
+  return fields;
+}
+
 Schema SssConfig::schema() {
   static const std::vector<Field> fields{
-      field<&SssConfig::mode_sep>("mode_sep", "", kAny, "beamformer", {"dds", "dgss", "dmvdr"}),
-      field<&SssConfig::mode_pf>("mode_pf", "", kAny, "post-filter", {"ms", "ss"}),
+      field<&SssConfig::mode_sep>("mode_sep", "", kAny, "beamformer", {"dds", "dgss", "dmvdr", "dgev"}),
+      field<&SssConfig::mode_pf>("mode_pf", "", kAny, "post-filter", {"ms", "ss", "mask"}),
+      field<&SssConfig::frame_size>("frameSize", "samples", {0, 65536},
+                                    "analysis frame of separation alone: a longer one separates better and "
+                                    "delays voices by as much; the hop is common")
+          .defaults_to("general.size.frameSize"),
       field<&SssConfig::noise>(
           "noise", "", kAny,
           "file with the machine's own noise, made by odas learn-noise; relative to this "
@@ -57,9 +92,11 @@ Schema SssConfig::schema() {
       field<&SssConfig::gain_pf>("gain_pf", "", kAny, "gain of the post-filtered streams, linear"),
       ignored_field("dds", "delay-and-sum has no settings"),
       field<&SssConfig::dgss>("dgss", "", kAny, "geometric source separation"),
-      ignored_field("dmvdr", "no settings yet"),
+      field<&SssConfig::dmvdr>("dmvdr", "", kAny, "minimum variance distortionless response"),
+      field<&SssConfig::dgev>("dgev", "", kAny, "generalized eigenvalue beamformer"),
       field<&SssConfig::ms>("ms", "", kAny, "the multi-source post-filter"),
       field<&SssConfig::ss>("ss", "", kAny, "the single-source post-filter"),
+      field<&SssConfig::mask>("mask", "", kAny, "the post-filter by masks"),
   };
   return fields;
 }

@@ -37,17 +37,39 @@ struct SingleSourceFilterConfig {
   static Schema schema();
 };
 
+/// The beamformers that learn: `sss.dmvdr`, `sss.dgev`.
+struct AdaptiveConfig {
+  float memory = 1.3F;        // s
+  float loading = 0.01F;      // of the power of all else
+  float unexplained = 0.02F;  // of the talker's
+  float tradeoff = 2;
+  float harm = 8;
+  float white_noise_gain = -15;  // dB
+  static Schema schema();
+};
+
+/// The post-filter by masks: `sss.mask`.
+struct MaskFilterConfig {
+  float g_min = 0.13F;
+  float leak = 0.5F;
+  static Schema schema();
+};
+
 /// Separation: section `sss`.
 struct SssConfig {
   std::string mode_sep = "dds";
   std::string mode_pf = "ss";
+  int frame_size = 0;  // samples; 0: that of `general`
   std::string noise;   // file of a NoiseDictionary; empty: none is known
   float lookback = 0;  // ms
   float gain_sep = 1;
   float gain_pf = 1;
   GssConfig dgss;
   MultiSourceFilterConfig ms;
+  AdaptiveConfig dmvdr;
+  AdaptiveConfig dgev;
   SingleSourceFilterConfig ss;
+  MaskFilterConfig mask;
   static Schema schema();
 };
 

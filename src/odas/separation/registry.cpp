@@ -5,8 +5,10 @@
 #include <string>
 
 #include "odas/base/error.hpp"
+#include "odas/separation/adaptive_beamformer.hpp"
 #include "odas/separation/delay_and_sum.hpp"
 #include "odas/separation/gss.hpp"
+#include "odas/separation/mask_filter.hpp"
 #include "odas/separation/multi_source_filter.hpp"
 #include "odas/separation/single_source_filter.hpp"
 
@@ -37,6 +39,18 @@ constexpr std::array kBeamformers{
         [](const SssConfig& config, const GeneralConfig& general, std::size_t slots) -> Ptr<Beamformer> {
           return std::make_unique<GeometricSeparation>(config.dgss, general, slots);
         }},
+    BeamformerRow{
+        "dmvdr",
+        [](const SssConfig& config, const GeneralConfig& general, std::size_t slots) -> Ptr<Beamformer> {
+          return std::make_unique<AdaptiveBeamformer>(AdaptiveBeamformer::Criterion::mvdr, config.dmvdr,
+                                                      general, slots);
+        }},
+    BeamformerRow{
+        "dgev",
+        [](const SssConfig& config, const GeneralConfig& general, std::size_t slots) -> Ptr<Beamformer> {
+          return std::make_unique<AdaptiveBeamformer>(AdaptiveBeamformer::Criterion::gev, config.dgev,
+                                                      general, slots);
+        }},
 };
 
 constexpr std::array kPostFilters{
@@ -49,6 +63,11 @@ constexpr std::array kPostFilters{
                   [](const SssConfig& config, const McraConfig&, const GeneralConfig& general,
                      std::size_t) -> Ptr<PostFilter> {
                     return std::make_unique<SingleSourceFilter>(config.ss, general);
+                  }},
+    PostFilterRow{"mask",
+                  [](const SssConfig& config, const McraConfig&, const GeneralConfig& general,
+                     std::size_t slots) -> Ptr<PostFilter> {
+                    return std::make_unique<MaskFilter>(config.mask, general, slots);
                   }},
 };
 
