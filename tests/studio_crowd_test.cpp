@@ -70,24 +70,34 @@ const char* const kEverything =
 class Healthy {
  public:
   explicit Healthy(int port) : client_(port) { client_.send(kEverything); }
-  /// All that has come by now.
+  /// What has come by now, for a while: there are others.
   void read() {
-    while (const auto message = client_.next(0)) {
-      if (message->opcode != 1) continue;
-      const json text = json::parse(message->payload);
-      if (text.at("type") == "gap") lost += text.at("hops").get<std::uint64_t>();
-      if (text.at("type") != "hops") continue;
-      for (const json& hop : text.at("hops")) {
-        const auto t = hop.at("t").get<std::uint64_t>();
-        if (last_ != 0) lost += t - last_ - 1;
-        last_ = t;
-        ++hops;
+    for (int i = 0; i < 20; ++i) {
+      const auto message = client_.next(0);
+      if (!message) return;
+      const std::string& text = message->payload;
+      if (text.starts_with(R"({"type":"gap")")) {
+        lost += json::parse(text).at("hops").get<std::uint64_t>();
+      } else if (text.starts_with(R"({"type":"hops")")) {
+        take_hops(text);
       }
     }
   }
   std::uint64_t hops = 0, lost = 0;
 
  private:
+  /// Fifty of these share a machine with what they watch: numbers are looked for, not all of JSON read.
+  void take_hops(const std::string& text) {
+    static const std::string kHop = R"({"t":)";
+    for (std::size_t at = 0; (at = text.find(kHop, at)) != std::string::npos;) {
+      at += kHop.size();
+      const std::uint64_t time = std::stoull(text.substr(at, 20));
+      if (last_ != 0) lost += time - last_ - 1;
+      last_ = time;
+      ++hops;
+    }
+  }
+
   WebClient client_;
   std::uint64_t last_ = 0;
 };

@@ -11,9 +11,10 @@ import { noDaemon, startDaemon } from "../support/odas.mjs";
 import { bestDecibels, samplesOf } from "../support/sound.mjs";
 
 const studio = useStudio();
-const skip = noDaemon;
+// Its minute is for `make soak`; studio_sound_test holds the same over the protocol in `make test`.
+const skip = noDaemon || (process.env.ODAS_SOAK ? false : "a minute long: make soak runs it");
 const kRate = 16000;
-const kSeconds = process.env.ODAS_SOAK ? 60 : 10;
+const kSeconds = 60;
 
 /** A page at a daemon of its own; `end` ends both. */
 async function open(options = {}) {
