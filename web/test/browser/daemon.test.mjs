@@ -150,7 +150,8 @@ test("a session replays the hops that were seen live, each once", options, async
   const theirs = await page.evaluate(async (url) => (await fetch(url)).text(), `api/v1/export/jsonl?session=${name}`);
   await page.setInputFiles('input[type="file"]', join(folder.path, name));
   const waiting = page.waitForEvent("download");
-  await page.getByRole("button", { name: "JSONL" }).click();
+  await page.locator(".stage-head").getByRole("button", { name: "JSONL", exact: true }).focus();
+  await page.keyboard.press("Enter");
   const mine = readFileSync(await (await waiting).path(), "utf8");
   const lines = (text) => text.trim().split("\n").map((line) => JSON.parse(line));
   const replayed = lines(mine);
