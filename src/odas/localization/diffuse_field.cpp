@@ -19,13 +19,13 @@ double sinc(double x) { return x < 1e-6 ? 1 : std::sin(x) / x; }
 
 DiffuseField::DiffuseField(const GeneralConfig& general, std::span<const Pair> pairs, const LagTable& table,
                            float bin_hz) {
-  constexpr float kSame = 0.001F;  // m
+  constexpr float kSame = 0.05F;  // of the distance: sinc changes by as little
   if (!all_open(general)) return;
   std::vector<float> distances;
   for (const auto& [i, j] : pairs) {
     const float d = norm(position(general.mics[i]) - position(general.mics[j]));
     const auto same = std::find_if(distances.begin(), distances.end(),
-                                   [d](float other) { return std::abs(d - other) < kSame; });
+                                   [d](float other) { return std::abs(d - other) <= kSame * other; });
     class_.push_back(static_cast<std::size_t>(same - distances.begin()));
     if (same == distances.end()) distances.push_back(d);
   }

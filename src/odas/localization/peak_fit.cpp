@@ -64,7 +64,7 @@ PeakFit::Fit PeakFit::fit(GridView<const float> correlations, std::span<const st
                           Vec3 start) const noexcept {
   constexpr int kSteps = 6;
   constexpr float kLongest = 0.07F;  // rad, of a step
-  constexpr float kShortest = 0.0005F;
+  constexpr float kShortest = 0.002F;
   Vec3 u = onto_side(start);
   Derivatives here = at(correlations, heard, u);
   for (int step = 0; step < kSteps; ++step) {

@@ -13,25 +13,30 @@ using test::angle_deg;
 
 constexpr std::size_t kBins = 129;
 
-/// What a new localizer makes of the onset of these spectra.
-std::vector<Potential> onset(const GeneralConfig& general, const Grid<cfloat>& spectra,
-                             std::size_t potentials = 4) {
-  SrpClean localizer(general, {});
+/// What a localizer that knows nothing yet makes of the onset of these spectra.
+std::vector<Potential> onset(SrpClean& localizer, const Grid<cfloat>& spectra, std::size_t potentials = 4) {
+  localizer.reset();
   const Grid<float> silence(spectra.rows(), spectra.cols());
   std::vector<Potential> found(potentials);
   localizer.locate(spectra, silence, found);
   return found;
 }
 
+std::vector<Potential> onset(const GeneralConfig& general, const Grid<cfloat>& spectra) {
+  SrpClean localizer(general, {});
+  return onset(localizer, spectra);
+}
+
 class SrpCleanArrays : public ::testing::TestWithParam<GeneralConfig> {};
 
 TEST_P(SrpCleanArrays, Finds_a_plane_wave_within_a_degree_and_is_sure_of_it) {
   const GeneralConfig& general = GetParam();
+  SrpClean localizer(general, {});
   unsigned seed = 1;
   for (float az = -180; az < 180; az += 33) {
     for (const float el : {-60.F, -20.F, 5.F, 40.F, 75.F}) {
       const Vec3 u = direction_of(az, el);
-      const auto found = onset(general, test::plane_wave(general, u, seed++));
+      const auto found = onset(localizer, test::plane_wave(general, u, seed++));
       EXPECT_LT(angle_deg(found[0].direction, u), 1) << az << " " << el;
       EXPECT_GT(found[0].evidence, 4) << "as sure as a single hop may be";
       EXPECT_LT(std::sqrt(found[0].covariance.east), radians(3.F));
