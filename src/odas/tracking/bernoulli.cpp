@@ -38,7 +38,7 @@ std::uint64_t hops_in(double seconds, double hop_seconds) {
 /// Nearer than two people stand; of elevation, as far as it is heard at all.
 bool one_place(Walker::Offset apart, float variance_north) {
   return std::abs(apart.east) < kSamePlace &&
-         std::abs(apart.north) < kSamePlace + 2.5 * std::sqrt(static_cast<double>(variance_north));
+         std::abs(apart.north) < kSamePlace + 3.5 * std::sqrt(static_cast<double>(variance_north));
 }
 
 double sigmoid(double x) { return 1 / (1 + std::exp(-x)); }

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "odas/tracking/bernoulli.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace odas {
+namespace {
+
+constexpr double kHop = 0.008;
+
+struct Said {
+  float azimuth, elevation, evidence;
+};
+
+/// A tracker that hears potentials which tell their evidence, as of a small flat array.
+struct Heard {
+  explicit Heard(float memory = 0) {
+    SstConfig config;
+    config.n_tracks = 4;
+    config.n_inactive = {500};
+    config.memory = memory;
+    tracker = std::make_unique<BernoulliTracker>(config, TrackerContext{kHop, 0.5, 4});
+    tracks.resize(4);
+  }
+  void hop(const std::vector<Said>& said) {
+    std::normal_distribution<float> jitter(0, 1);
+    std::vector<Potential> potentials;
+    for (const Said& s : said) {
+      const Vec3 u = direction_of(s.azimuth + 2 * jitter(random), s.elevation + 8 * jitter(random));
+      potentials.push_back({u, 0, s.evidence, {0.0012F, 0.02F, 0}});
+    }
+    tracker->update(potentials, tracks);
+  }
+  void hops(int count, const std::vector<Said>& said) {
+    for (int h = 0; h < count; ++h) hop(said);
+  }
+  [[nodiscard]] std::ptrdiff_t living() const {
+    return std::count_if(tracks.begin(), tracks.end(), [](const Track& t) { return t.id != 0; });
+  }
+  /// Of the track near this azimuth; 0: there is none.
+  [[nodiscard]] std::uint64_t id_at(float azimuth) const {
+    for (const Track& t : tracks) {
+      if (t.id != 0 && std::abs(std::remainder(azimuth_deg(t.direction) - azimuth, 360)) < 8) return t.id;
+    }
+    return 0;
+  }
+  std::mt19937 random{7};
+  std::unique_ptr<BernoulliTracker> tracker;
+  std::vector<Track> tracks;
+};
+
+TEST(Bernoulli, confirms_a_clear_voice_within_50_ms_and_a_faint_one_within_half_a_second) {
+  Heard clear;
+  clear.hops(6, {{30, 20, 5}});
+  EXPECT_EQ(clear.id_at(30), 1U);
+  Heard faint;
+  faint.hops(6, {{30, 20, 1.5F}});
+  EXPECT_EQ(faint.living(), 0);
+  faint.hops(56, {{30, 20, 1.5F}});
+  EXPECT_EQ(faint.id_at(30), 1U);
+}
+
+TEST(Bernoulli, makes_no_track_of_noise_whose_directions_stay_and_whose_evidence_is_against_it) {
+  Heard run;
+  for (int h = 0; h < 2000; ++h) {
+    run.hop({{50, 20, h % 50 == 0 ? 1.F : -1.F}, {-120, 0, -3}});
+    ASSERT_EQ(run.living(), 0) << h;
+  }
+}
+
+TEST(Bernoulli, takes_two_elevations_of_one_azimuth_for_one_talker) {
+  Heard run;
+  run.hops(500, {{30, 15, 5}, {30, 40, 4}});
+  EXPECT_EQ(run.living(), 1);
+}
+
+TEST(Bernoulli, makes_no_track_of_what_stays_of_a_stronger_talker_beside_it) {
+  Heard run;
+  run.hops(500, {{30, 15, 6}, {52, 10, 2.5F}});
+  EXPECT_EQ(run.living(), 1);
+  EXPECT_NE(run.id_at(30), 0U);
+}
+
+TEST(Bernoulli, keeps_who_was_heard_well_through_a_pause_and_knows_who_comes_back_later) {
+  Heard run(10);
+  run.hops(300, {{30, 20, 5}});
+  run.hops(300, {});  // 2.4 s
+  EXPECT_EQ(run.id_at(30), 1U);
+  run.hops(500, {});
+  EXPECT_EQ(run.living(), 0);
+  run.hops(20, {{30, 20, 5}});
+  EXPECT_EQ(run.id_at(30), 1U);
+}
+
+TEST(Bernoulli, drops_sooner_what_was_heard_little) {
+  Heard run;
+  run.hops(7, {{30, 20, 5}});
+  ASSERT_EQ(run.living(), 1);
+  run.hops(200, {});
+  EXPECT_EQ(run.living(), 0);
+}
+
+TEST(Bernoulli, tells_that_azimuth_is_surer_than_elevation) {
+  Heard run;
+  run.hops(100, {{30, 20, 5}});
+  ASSERT_EQ(run.tracks[0].id, 1U);
+  const auto covariance = run.tracks[0].covariance;
+  EXPECT_GT(covariance.east, 0);
+  EXPECT_GT(covariance.north, 2 * covariance.east);
+}
+
+}  // namespace
+}  // namespace odas
