@@ -13,6 +13,10 @@ namespace {
 
 // A new voice begins as if it had been seen along its direction for this share of a memory.
 constexpr float kPrior = 0.02F;
+// and as if it spoke half of the time: a voice that begins must not begin in the dark.
+constexpr float kBirthShare = 0.5F;
+// The Wiener share turns down by 14 dB at most.
+constexpr float kMostWiener = 4;
 // Cosine of the angle from which on a talker has moved: 1 degree.
 constexpr float kStill = 0.99985F;
 // Weights of the new value per hop: in the powers of the beams, and in levels of about a second.
@@ -208,7 +212,7 @@ void AdaptiveBeamformer::begin(Slot& slot) noexcept {
     const float p = std::max(background_.data()[k], kSilence);
     slot.level.data()[k] = p;
     norm_.data()[k] = std::sqrt(p);
-    slot.share.data()[k] = 0;
+    slot.share.data()[k] = kBirthShare;
     slot.loading.data()[k] = 1;
   }
   scale(masks_.diffuse_factor(), norm_, slot.factor);
@@ -283,7 +287,7 @@ void AdaptiveBeamformer::solve(Slot& slot) noexcept {
 float AdaptiveBeamformer::gain_of(const Slot& slot, std::size_t bin) const noexcept {
   const float share = slot.share[bin];
   const float mu = config_.tradeoff * (1.01F - share) / (share + 0.01F);
-  return 1 / (slot.response[bin] + mu + kTiny);
+  return 1 / (slot.response[bin] + std::min(mu, kMostWiener * slot.response[bin]) + kTiny);
 }
 
 void AdaptiveBeamformer::form(std::size_t s, std::span<cfloat> beam) noexcept {
