@@ -74,36 +74,6 @@ test("a ball has the colour of its voice, where its direction is", async () => {
   await done();
 });
 
-test("the line of a voice that walks around the back leaves at one edge and comes in at the other", async () => {
-  const { page, done } = await open(1, { tracks: (t) => [track(0, 11, [180 + 20 * Math.sin(t / 40), 5])], colorScheme: "dark" });
-  await page.waitForSelector('[data-voice="11"]');
-  await page.getByLabel("Potentials").uncheck();
-  const color = await page.locator('[data-voice="11"]').evaluate((card) => card.style.getPropertyValue("--track"));
-  const count = () => page.evaluate((color) => {
-    const canvas = document.querySelector(".charts .chart canvas");
-    const { data, width, height } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
-    const want = [1, 3, 5].map((k) => parseInt(color.slice(k, k + 2), 16));
-    const found = { top: 0, middle: 0, bottom: 0 };
-    // Of 360 degrees the voice is within 20 of the back; the marker at the end and its number stand in the margin on the right.
-    for (let y = 0; y < height; y++) {
-      const part = y < 0.25 * height ? "top" : y > 0.65 * height ? "bottom" : "middle";
-      for (let x = 0; x < width - 48; x++) {
-        const at = 4 * (y * width + x);
-        if (want.every((value, c) => Math.abs(data[at + c] - value) < 24)) found[part]++;
-      }
-    }
-    return found;
-  }, color);
-  let found = await count();
-  for (let tries = 0; tries < 100 && found.top === 0; tries++) {
-    await page.waitForTimeout(50);
-    found = await count();
-  }
-  assert.ok(found.top > 100 && found.bottom > 100, JSON.stringify(found));
-  assert.equal(found.middle, 0);
-  await done();
-});
-
 test("keys 1 to 4 choose the point of view", async () => {
   const { page, done } = await open(1);
   await drawn(page, 1);
