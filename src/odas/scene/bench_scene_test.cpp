@@ -2,7 +2,6 @@
 #include "odas/scene/bench_scene.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include "support/scratch.hpp"
@@ -111,17 +110,6 @@ TEST_F(BenchSceneTest, A_scene_that_was_kept_is_bit_for_bit_the_one_that_was_pla
     EXPECT_EQ(other->played.truth.sources[1].active, fresh.played.truth.sources[1].active);
     EXPECT_EQ(other->played.truth.sources[1].direction[9].x, fresh.played.truth.sources[1].direction[9].x);
   }
-}
-
-TEST(BenchParallel, Does_each_piece_once_and_throws_what_one_of_them_threw) {
-  std::vector<std::atomic<int>> done(50);
-  for_each_in_parallel(done.size(), 3, nullptr, {}, [&](std::size_t i) { ++done[i]; });
-  for (const auto& count : done) EXPECT_EQ(count, 1);
-  EXPECT_THROW(for_each_in_parallel(9, 2, nullptr, {},
-                                    [](std::size_t i) {
-                                      if (i == 4) throw IoError("the fifth");
-                                    }),
-               IoError);
 }
 
 }  // namespace
