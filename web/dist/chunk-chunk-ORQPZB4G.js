@@ -1,1 +1,0 @@
-import{d}from"./chunk-chunk-AMNJDSQ7.js";import{p as e}from"./chunk-chunk-62U46VUE.js";var g=e("angle","deg",n=>n==="rad"?"rad":"deg");function u(n){let t=g.value==="rad",r=t?Math.round(n*(Math.PI/180)*100)/100:Math.round(n),o=d(Math.abs(r),t?2:0),a=r<0?"−":r>0?"+":"";return t?`${a}${o} rad`:`${a}${o}°`}export{g as a,u as b};
