@@ -18,7 +18,8 @@ TEST(Keys, are_described_with_default_range_and_meaning) {
   EXPECT_NE(text.find("| `general.samplerate.sigma2` | ignored |"), std::string::npos);
   EXPECT_NE(text.find("| `ssl.scans` | `({ level = 2; delta = -1; }, { level = 4; delta = -1; })` |"),
             std::string::npos);
-  EXPECT_NE(text.find("| `sst.mode` | `\"kalman\"` | \"kalman\" or \"particle\" |"), std::string::npos);
+  EXPECT_NE(text.find("| `sst.mode` | `\"kalman\"` | \"kalman\", \"particle\" or \"bernoulli\" |"),
+            std::string::npos);
 }
 
 TEST(Keys, know_their_home) {

@@ -73,8 +73,9 @@ TEST(SettingReader, says_what_is_allowed_where_a_number_is_out_of_range) {
 }
 
 TEST(SettingReader, lists_the_choices_and_the_one_that_was_meant) {
-  EXPECT_TRUE(errs(read_with("sst: { mode = \"kalmann\"; };"), "sst.mode",
-                   "is \"kalmann\", must be \"kalman\" or \"particle\"; did you mean \"kalman\"?"));
+  EXPECT_TRUE(
+      errs(read_with("sst: { mode = \"kalmann\"; };"), "sst.mode",
+           "is \"kalmann\", must be \"kalman\", \"particle\" or \"bernoulli\"; did you mean \"kalman\"?"));
 }
 
 TEST(SettingReader, warns_of_unknown_keys_with_the_nearest_known_one) {
