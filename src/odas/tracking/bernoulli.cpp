@@ -17,8 +17,9 @@ constexpr double kFound = 0.8;                             // a source that soun
 constexpr double kNew = 0.05;                              // prior of a new source, to that of none
 constexpr double kFallsSilent = 0.5, kSpeaks = 0.5;        // s, means: until a voice pauses, and is back
 constexpr double kOpens = 0.3;                             // evidence of a potential that opens a candidate
-constexpr double kConfirmed = 3, kConfirmedBeside = 8;     // evidence, nats
-constexpr double kLed = 2, kLedBeside = 6;                 // of it, from hops in which nothing was louder
+constexpr double kConfirmed = 3, kLed = 2;                 // nats: all evidence, and of hops that it led
+constexpr double kConfirmedUnled = 6;                      // all evidence of who did not lead
+constexpr double kConfirmedBeside = 8, kLedBeside = 6;     // of who is beside a track
 constexpr double kBehind = 1.2;                            // nats; louder by less is not louder
 constexpr double kGivenUp = -1.2;                          // of a candidate
 constexpr double kLost = -4;                               // of one that was confirmed
@@ -297,8 +298,8 @@ void BernoulliTracker::bury() noexcept {
   }
 }
 
-/// A reflection is never louder than its talker for long, and mostly beside him: who has not led the hops is
-/// not confirmed, and beside a track it takes more.
+/// A reflection is seldom louder than its talker, never for long, and mostly beside him: who has not led the
+/// hops needs twice the evidence, and beside a track it takes more of both.
 void BernoulliTracker::confirm() noexcept {
   for (Source& candidate : candidates_) {
     if (candidate.stage == Stage::free) continue;
@@ -306,9 +307,10 @@ void BernoulliTracker::confirm() noexcept {
       return s.stage != Stage::free &&
              azimuth_between(s.walker.direction(), candidate.walker.direction()) < kBeside;
     });
-    if (candidate.evidence < (beside ? kConfirmedBeside : kConfirmed)) continue;
-    if (candidate.strength < (beside ? kLedBeside : kLed)) continue;
-    show(candidate);
+    const bool led = candidate.strength >= (beside ? kLedBeside : kLed);
+    const bool is_there = beside ? led && candidate.evidence >= kConfirmedBeside
+                                 : candidate.evidence >= (led ? kConfirmed : kConfirmedUnled);
+    if (is_there) show(candidate);
   }
 }
 

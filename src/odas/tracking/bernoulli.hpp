@@ -21,8 +21,8 @@ namespace odas {
 /// which nothing is known, C_t that of the track, p_t the probability that it sounds and is found. What no
 /// track explains opens a candidate. Its evidence is summed from hop to hop (a sequential probability ratio
 /// test): a clear voice is confirmed within a few hops, a faint one in noise when enough has come together,
-/// and chance runs out before; a part of it must come of hops in which nothing was louder, which reflections
-/// have not. Candidates are not seen and take no slot. A track dies after a silence, the
+/// and chance runs out before. Hops in which nothing elsewhere is louder, which reflections hardly have, tell
+/// most. Candidates are not seen and take no slot. A track dies after a silence, the
 /// sooner the less evidence there ever was for it; of two that stay one on the other the younger goes.
 /// Symbols: evidence and covariance of `Potential`; where a localizer does not tell them, ln A(E) / I(E) of
 /// the mixtures `sst.active` and `sst.inactive`, and `sst.sigmaR2_active`. Keys that count: nTracks,
