@@ -17,16 +17,21 @@ constexpr double kFound = 0.8;                             // a source that soun
 constexpr double kNew = 0.05;                              // prior of a new source, to that of none
 constexpr double kFallsSilent = 0.5, kSpeaks = 0.5;        // s, means: until a voice pauses, and is back
 constexpr double kOpens = 0.3;                             // evidence of a potential that opens a candidate
-constexpr double kConfirmed = 3;                           // evidence, nats
+constexpr double kConfirmed = 3, kLed = 2;                 // nats: all evidence, and of hops that it led
+constexpr double kConfirmedUnled = 6;                      // all evidence of who did not lead
+constexpr double kConfirmedBeside = 8, kLedBeside = 6;     // of who is beside a track
+constexpr double kBehind = 1.2;                            // nats; louder by less is not louder
 constexpr double kGivenUp = -1.2;                          // of a candidate
 constexpr double kLost = -4;                               // of one that was confirmed
 constexpr double kMost = 10;                               // evidence is not counted beyond
-constexpr double kPatience = 0.5;                          // s of silence, at least
-constexpr double kPatienceEarned = 0.1;                    // s more for each nat that spoke for it
+constexpr double kPatience = 0.3;                          // s of silence, at least
+constexpr double kPatienceEarned = 0.03;                   // s more for each nat of its strength
 constexpr double kSamePlace = 6 * std::numbers::pi / 180;  // of azimuth: nearer than two people stand
-constexpr double kLess = 0.5, kLessNear = 1.5, kLessOld = 0.5;
+constexpr double kBeside = 25 * std::numbers::pi / 180;    // of azimuth: where a talker's reflections are
+constexpr double kMine = 4;  // as much likelier than another's an observation is when it moves a track
+constexpr double kLess = 0.5, kLessNear = 1.5, kLessOld = 0.6;
 constexpr float kBesideCosine = 0.87F;
-constexpr float kBlur2East = 0.0012F, kBlur2North = 0.008F;
+constexpr float kBlur2East = 0.0016F, kBlur2North = 0.008F;
 constexpr double kSoon = 1, kOverlap = 0.3, kLongOverlap = 3;  // s
 
 std::uint64_t hops_in(double seconds, double hop_seconds) {
@@ -39,6 +44,11 @@ std::uint64_t hops_in(double seconds, double hop_seconds) {
 bool one_place(Walker::Offset apart, float variance_north) {
   return std::abs(apart.east) < kSamePlace &&
          std::abs(apart.north) < kSamePlace + 3.5 * std::sqrt(static_cast<double>(variance_north));
+}
+
+double azimuth_between(Vec3 a, Vec3 b) {
+  return std::abs(
+      std::atan2(static_cast<double>(a.x * b.y - a.y * b.x), static_cast<double>(a.x * b.x + a.y * b.y)));
 }
 
 double sigmoid(double x) { return 1 / (1 + std::exp(-x)); }
@@ -148,11 +158,16 @@ void BernoulliTracker::take(std::span<const Potential> potentials) noexcept {
   }
   for (Heard& heard : heard_) {
     double less = 0;
+    double behind = 0;
     for (const Heard& louder : heard_) {
       if (louder.ratio <= heard.ratio) continue;
+      const double louder_by = std::log(louder.ratio / heard.ratio);
       const bool is_near = dot(louder.direction, heard.direction) > kBesideCosine;
-      less = std::max(less, (is_near ? kLessNear : kLess) * std::log(louder.ratio / heard.ratio));
+      less = std::max(less, (is_near ? kLessNear : kLess) * louder_by);
+      if (azimuth_between(louder.direction, heard.direction) > kSamePlace)
+        behind = std::max(behind, louder_by);
     }
+    heard.leads = behind < kBehind;
     heard.new_ratio = heard.ratio * std::exp(-less);
     heard.old_ratio = heard.ratio * std::exp(-kLessOld * less);
     heard.pull = heard.old_ratio / (1 + heard.old_ratio);
@@ -200,7 +215,9 @@ void BernoulliTracker::associate() noexcept {
     for (std::size_t s = 0; s < heard_.size(); ++s) {
       links[s].share = links[s].weight / heard_[s].others;
       heard_[s].known += links[s].share;
-      if (source.stage != Stage::candidate) heard_[s].seen += links[s].share;
+      if (source.stage == Stage::candidate) continue;
+      heard_[s].seen += links[s].share;
+      heard_[s].seen_fit += links[s].fit.density;
     }
   });
 }
@@ -209,18 +226,22 @@ void BernoulliTracker::follow(Source& source, std::span<const Link> links) noexc
   double silent = 1;             // probability that no potential is its own
   double sounds = 1 - kFound;    // likelihood ratio: it sounds, to it does not
   double is_there = 1 - kFound;  // the same without what the place itself tells: reflections stay, too
+  double leads = 1 - kFound;     // and of what nothing was louder than
+  const bool is_candidate = source.stage == Stage::candidate;
   for (std::size_t s = 0; s < links.size(); ++s) {
     const Link& link = links[s];
     const Heard& heard = heard_[s];
-    const double taken = source.stage == Stage::candidate ? heard.seen : heard.seen - link.share;
+    const double taken = is_candidate ? heard.seen : heard.seen - link.share;
+    const double here = kFound * link.fit.density / link.fit.peak * std::clamp(1 - taken, 0.0, 1.0);
     silent *= 1 - link.share;
     sounds += kFound * heard.old_ratio * link.fit.density / (heard.others - link.weight);
-    is_there += kFound * (source.stage == Stage::candidate ? heard.new_ratio : heard.old_ratio) *
-                link.fit.density / link.fit.peak * std::clamp(1 - taken, 0.0, 1.0);
+    is_there += here * (is_candidate ? heard.new_ratio : heard.old_ratio);
+    if (heard.leads) leads += here * heard.ratio;
     if (source.stage == Stage::target || link.share < 1e-3) continue;
-    // What may be another's as well moves neither: two who cross keep their ways.
-    const double sure = std::max(
-        link.share - std::max(heard.seen - (source.stage == Stage::candidate ? 0 : link.share), 0.0), 0.0);
+    // What may be another's as well moves neither, whoever of them spoke last: where two meet the localizer
+    // finds one direction, between them. They keep their ways until it can only be the one's.
+    double sure = std::max(link.share - std::max(taken, 0.0), 0.0);
+    if (!is_candidate) sure *= std::clamp(1 + kMine * (1 - heard.seen_fit / link.fit.density), 0.0, 1.0);
     source.walker.observe(link.offset, heard.covariance, own_share_ * sure * link.fit.clean * heard.pull);
     source.blur.east += 0.05F * static_cast<float>(link.share) * (heard.covariance.east - source.blur.east);
     source.blur.north +=
@@ -228,10 +249,10 @@ void BernoulliTracker::follow(Source& source, std::span<const Link> links) noexc
   }
   if (source.stage != Stage::target) source.walker.settle();
   source.activity = 1 - silent;
-  const double before = source.stage == Stage::candidate ? 1 : source.sounding;
+  const double before = is_candidate ? 1 : source.sounding;
   const double gain = own_share_ * std::log(1 - before + before * is_there);
   source.evidence = std::min(source.evidence + gain, kMost);
-  source.strength += std::max(gain, 0.0);
+  source.strength += own_share_ * std::max(std::log(leads), 0.0);
   const double odds = std::log(std::max(source.sounding, 1e-9) / std::max(1 - source.sounding, 1e-9));
   source.sounding = std::clamp(sigmoid(odds + own_share_ * std::log(sounds)), 1e-3, 1 - 1e-3);
   source.silent_hops = source.sounding > 0.5 ? 0 : source.silent_hops + 1;
@@ -277,10 +298,19 @@ void BernoulliTracker::bury() noexcept {
   }
 }
 
+/// A reflection is seldom louder than its talker, never for long, and mostly beside him: who has not led the
+/// hops needs twice the evidence, and beside a track it takes more of both.
 void BernoulliTracker::confirm() noexcept {
   for (Source& candidate : candidates_) {
     if (candidate.stage == Stage::free) continue;
-    if (candidate.evidence >= kConfirmed) show(candidate);
+    const bool beside = std::any_of(slots_.begin(), slots_.end(), [&](const Source& s) {
+      return s.stage != Stage::free &&
+             azimuth_between(s.walker.direction(), candidate.walker.direction()) < kBeside;
+    });
+    const bool led = candidate.strength >= (beside ? kLedBeside : kLed);
+    const bool is_there = beside ? led && candidate.evidence >= kConfirmedBeside
+                                 : candidate.evidence >= (led ? kConfirmed : kConfirmedUnled);
+    if (is_there) show(candidate);
   }
 }
 

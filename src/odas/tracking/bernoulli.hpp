@@ -21,7 +21,8 @@ namespace odas {
 /// which nothing is known, C_t that of the track, p_t the probability that it sounds and is found. What no
 /// track explains opens a candidate. Its evidence is summed from hop to hop (a sequential probability ratio
 /// test): a clear voice is confirmed within a few hops, a faint one in noise when enough has come together,
-/// and chance runs out before. Candidates are not seen and take no slot. A track dies after a silence, the
+/// and chance runs out before. Hops in which nothing elsewhere is louder, which reflections hardly have, tell
+/// most. Candidates are not seen and take no slot. A track dies after a silence, the
 /// sooner the less evidence there ever was for it; of two that stay one on the other the younger goes.
 /// Symbols: evidence and covariance of `Potential`; where a localizer does not tell them, ln A(E) / I(E) of
 /// the mixtures `sst.active` and `sst.inactive`, and `sst.sigmaR2_active`. Keys that count: nTracks,
@@ -52,7 +53,7 @@ class BernoulliTracker final : public Tracker {
     double sounding = 0;       // probability, by the chain
     double activity = 0;       // probability that a potential of this hop is its own
     double evidence = 0;       // that it is there; natural logarithm
-    double strength = 0;       // all that ever spoke for it
+    double strength = 0;       // evidence of all hops in which nothing else was louder
     TangentCovariance blur{};  // of its observations, of late
     int age = 0;               // hops
     int silent_hops = 0;
@@ -63,9 +64,11 @@ class BernoulliTracker final : public Tracker {
     TangentCovariance covariance{};
     double ratio = 1;  // exp(evidence)
     double new_ratio = 1, old_ratio = 1, pull = 1;
-    double others = 0;  // density of all its hypotheses together
-    double seen = 0;    // probability that it comes of a source that is seen, or a target
-    double known = 0;   // or of a candidate
+    bool leads = false;   // nothing elsewhere is louder
+    double seen_fit = 0;  // density of sources that are seen, whether they sound or not
+    double others = 0;    // density of all its hypotheses together
+    double seen = 0;      // probability that it comes of a source that is seen, or a target
+    double known = 0;     // or of a candidate
   };
   /// Of a source and a potential.
   struct Link {

@@ -105,6 +105,27 @@ TEST(Bernoulli, drops_sooner_what_was_heard_little) {
   EXPECT_EQ(run.living(), 0);
 }
 
+TEST(Bernoulli, keeps_the_identities_of_two_who_cross) {
+  Heard run;
+  for (int h = 0; h < 1000; ++h) {  // 12 degrees/s each, for 8 s
+    const auto turn = 0.096F * static_cast<float>(h);
+    const float first = turn;
+    const float second = 96 - turn;
+    // Near each other only one is found, now this one, now that one.
+    if (std::abs(first - second) > 18) {
+      run.hop({{first, 20, 5}, {second, 20, 4.5F}});
+    } else {
+      run.hop({{(h / 12) % 2 == 0 ? first : second, 20, 5}});
+    }
+    if (h == 100) {
+      ASSERT_EQ(run.id_at(first), 1U);
+      ASSERT_EQ(run.id_at(second), 2U);
+    }
+  }
+  EXPECT_EQ(run.id_at(96), 1U);
+  EXPECT_EQ(run.id_at(0), 2U);
+}
+
 TEST(Bernoulli, tells_that_azimuth_is_surer_than_elevation) {
   Heard run;
   run.hops(100, {{30, 20, 5}});

@@ -15,8 +15,8 @@ constexpr double square(double x) { return x * x; }
 constexpr double kDrift2 = square(0.5 * kDegree);     // rad^2/s of one who stands: the head, the weight
 constexpr double kTurning2 = square(10 * kDegree);    // (rad/s)^2 around the array, of one who walks
 constexpr double kRising2 = square(4 * kDegree);      // (rad/s)^2 up and down
-constexpr double kKeepsHeading = 3;                   // s
-constexpr double kStands = 4, kWalks = 3;             // s, mean
+constexpr double kKeepsHeading = 10;                  // s
+constexpr double kStands = 4, kWalks = 10;            // s, mean
 constexpr double kOutlier = 0.1, kOutlierSpread = 9;  // share of outliers, and their variance
 constexpr float kPolar = 0.94F;                       // sine of 70 degrees
 
