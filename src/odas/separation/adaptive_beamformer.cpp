@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "odas/base/contract.hpp"
+#include "odas/dsp/noise_field.hpp"
 #include "odas/separation/factor_kernels.hpp"
 
 namespace odas {
@@ -17,6 +18,9 @@ constexpr float kPrior = 0.02F;
 constexpr float kBirthShare = 0.5F;
 // The Wiener share turns down by 14 dB at most.
 constexpr float kMostWiener = 4;
+// Of the level as it is when a voice begins, what is not the known noise counts so much: most of it is the
+// voice itself.
+constexpr float kUnknown = 0.1F;
 // Cosine of the angle from which on a talker has moved: 1 degree.
 constexpr float kStill = 0.99985F;
 // Weights of the new value per hop: in the powers of the beams, and in levels of about a second.
@@ -209,13 +213,18 @@ void AdaptiveBeamformer::turn(Slot& slot, std::size_t reference) noexcept {
 
 void AdaptiveBeamformer::begin(Slot& slot) noexcept {
   for (std::size_t k = 0; k < slot.level.padded().size(); ++k) {
-    const float p = std::max(background_.data()[k], kSilence);
-    slot.level.data()[k] = p;
-    norm_.data()[k] = std::sqrt(p);
+    slot.level.data()[k] = std::max(background_.data()[k], kSilence);
     slot.share.data()[k] = kBirthShare;
     slot.loading.data()[k] = 1;
   }
-  scale(masks_.diffuse_factor(), norm_, slot.factor);
+  if (known_ != nullptr) {
+    begin_with_noise(slot);
+  } else {
+    for (std::size_t k = 0; k < norm_.padded().size(); ++k) {
+      norm_.data()[k] = std::sqrt(slot.level.data()[k]);
+    }
+    scale(masks_.diffuse_factor(), norm_, slot.factor);
+  }
   for (std::size_t k = 0; k < bins_; ++k) {
     const cfloat reference = std::conj(slot.steering.get(slot.reference, k));
     for (std::size_t m = 0; m < mics_; ++m) {
@@ -224,6 +233,24 @@ void AdaptiveBeamformer::begin(Slot& slot) noexcept {
   }
   slot.signal = slot.noise = 0;
   solve(slot);
+}
+
+/// In place of diffuse sound of the whole level: the noise, and a little of all else.
+void AdaptiveBeamformer::begin_with_noise(Slot& slot) noexcept {
+  for (std::size_t k = 0; k < bins_; ++k) {
+    float noise = 0;
+    for (std::size_t m = 0; m < mics_; ++m) {
+      noise += known_->scm(k)[m][m].real() / static_cast<float>(mics_);
+    }
+    slot.level[k] = noise + kUnknown * std::max(slot.level[k] - noise, 0.F);
+    norm_[k] = std::sqrt(std::max(slot.level[k] - noise, kSilence));
+  }
+  scale(masks_.diffuse_factor(), norm_, slot.factor);
+  norm_.fill(1);
+  for (std::size_t j = 0; j < mics_; ++j) {
+    for (std::size_t m = 0; m < mics_; ++m) v_.set_row(m, known_->column(j)[m]);
+    factor_update(slot.factor, norm_, v_);
+  }
 }
 
 /// What the last weights make of this hop, with unit gain.
@@ -254,8 +281,20 @@ void AdaptiveBeamformer::learn(std::size_t s) noexcept {
   column_update(slot.column, gain_, x_, slot.reference);
   scale(x_, norm_, v_);
   factor_update(slot.factor, keep_, v_);
+  if (known_ != nullptr) add_known_noise(slot);
   load(slot);
   solve(slot);
+}
+
+/// One column a hop, in turn.
+void AdaptiveBeamformer::add_known_noise(Slot& slot) noexcept {
+  const GridView<const cfloat> column = known_->column(hop_ % mics_);
+  for (std::size_t k = 0; k < bins_; ++k) gain_[k] = std::sqrt(static_cast<float>(mics_) * (1 - keep_[k]));
+  for (std::size_t m = 0; m < mics_; ++m) {
+    for (std::size_t k = 0; k < bins_; ++k) v_.set(m, k, gain_[k] * column[m][k]);
+  }
+  gain_.fill(1);
+  factor_update(slot.factor, gain_, v_);
 }
 
 /// One microphone a hop, in turn: the diagonal as a whole would cost as much as all the rest.

@@ -25,9 +25,12 @@ namespace odas {
 ///   beta e_ref)^H x,  beta = rho / (rho + harm): one voice in quiet passes as it came in. Loading: a share
 ///   of the power of all else, and one of the talker's own, whose sound is never all explained; more of it
 ///   where the white noise gain falls under `whiteNoiseGain`. c begins with the direction and turns with it;
-///   R begins as diffuse sound of the present level.
+///   R begins as diffuse sound of the present level. Where the machine's own noise is known (use_noise), R
+///   begins as this noise, and takes a column of its factor in each hop, as if the noise went on behind all
+///   that is heard: R <- R + M a (1 - g) f_j f_j^H.
 /// Symbols: ref: the microphone that hears the direction best; share: mean of g; rho: power of the talker
-///   over that of the other talkers and of the noise floor; M: microphones.
+///   over that of the other talkers and of the noise floor; M: microphones; f_j: column j of NoiseField, j
+///   the hop mod M.
 /// Source: Souden, Benesty and Affes, "On optimal frequency-domain multichannel linear filtering for noise
 ///   reduction", 2010; Warsitz and Haeb-Umbach, "Blind acoustic beamforming based on generalized eigenvalue
 ///   decomposition", 2007 (the target being of rank one, its eigenvector is R^-1 c). Departs: only one
@@ -44,6 +47,7 @@ class AdaptiveBeamformer : public Beamformer {
 
   void separate(GridView<const cfloat> spectra, std::span<const Track> tracks,
                 GridView<cfloat> beams) noexcept override;
+  void use_noise(const NoiseField* noise) noexcept override { known_ = noise; }
   [[nodiscard]] GridView<const cfloat> weights(std::size_t slot) const noexcept override;
   [[nodiscard]] std::span<const float> mask(std::size_t slot) const noexcept override {
     return {masks_.mask(slot).data(), bins_};
@@ -79,6 +83,8 @@ class AdaptiveBeamformer : public Beamformer {
   void begin(Slot& slot) noexcept;
   void look_ahead(std::size_t s) noexcept;
   void learn(std::size_t s) noexcept;
+  void begin_with_noise(Slot& slot) noexcept;
+  void add_known_noise(Slot& slot) noexcept;
   void load(Slot& slot) noexcept;
   void solve(Slot& slot) noexcept;
   void form(std::size_t s, std::span<cfloat> beam) noexcept;
@@ -92,6 +98,7 @@ class AdaptiveBeamformer : public Beamformer {
   float least_;  // the smallest white noise gain, as a ratio
   Steering steering_;
   TalkerMasks masks_;
+  const NoiseField* known_ = nullptr;
   std::vector<Slot> slots_;
   std::vector<BinReals> powers_;  // [slot]: of the beams, unit gain, smoothed
   std::size_t hop_ = 0;

@@ -2,9 +2,13 @@
 #include "odas/separation/adaptive_beamformer.hpp"
 
 #include <cmath>
+#include <cstdio>
 
+#include "support/machine_noise.hpp"
 #include "support/wave_field.hpp"
 #include <gtest/gtest.h>
+
+#include "odas/dsp/noise_field.hpp"
 
 namespace odas {
 namespace {
@@ -122,6 +126,52 @@ TEST(AdaptiveBeamformer, masks_say_who_is_there) {
   for (const float m : mask) {
     EXPECT_GE(m, 0);
     EXPECT_LE(m, 1.0001F);
+  }
+}
+
+/// SNR of a talker as loud as fan `fan`, dB, in the weights' mean over the first `hops` hops of his voice.
+double snr_beside_a_fan(bool known, int fan, int hops) {
+  using test::Machine;
+  NoiseField field(Machine::dictionary());
+  AdaptiveBeamformer beamformer(Criterion::mvdr, AdaptiveConfig{}, Machine::array(), 1);
+  if (known) beamformer.use_noise(&field);
+  Machine machine(3);
+  Grid<cfloat> beams(1, kBins);
+  const std::vector<Track> nobody(1);
+  const std::vector<Track> somebody{test::track(1, Machine::talker())};
+  double talker = 0;
+  double noise = 0;
+  for (int hop = 0; hop < 125 + hops; ++hop) {  // a second of the fan before
+    const bool speaks = hop >= 125;
+    const auto spectra = machine.hop(fan, 1, speaks ? 1 : 0);
+    field.update(spectra, speaks);
+    beamformer.separate(spectra, speaks ? somebody : nobody, beams);
+    const auto weights = beamformer.weights(0);
+    for (std::size_t k = 8; k < 112; ++k) {
+      std::complex<double> voice = 0;
+      std::complex<double> blown = 0;
+      for (std::size_t m = 0; m < Machine::kMics; ++m) {
+        const std::complex<double> w(weights[m][k]);
+        voice += w * test::phase_at(Machine::array(), m, Machine::talker(), k);
+        blown += w * test::phase_at(Machine::array(), m, direction_of(fan == 0 ? 40 : 200, 0), k);
+        noise += std::norm(w) * 0.0025;  // the microphones' own
+      }
+      talker += std::norm(voice);
+      noise += std::norm(blown);
+    }
+  }
+  return db(talker / noise);
+}
+
+TEST(AdaptiveBeamformer, nulls_a_fan_that_it_was_told_of_from_the_first_hop_on) {
+  for (const int fan : {0, 1}) {
+    for (const int hops : {12, 62, 250}) {
+      const double without = snr_beside_a_fan(false, fan, hops);
+      const double with = snr_beside_a_fan(true, fan, hops);
+      std::printf("fan %d, first %.1f s: %.1f dB, %.1f dB where the fan is known\n", fan, hops * 0.008,
+                  without, with);
+      EXPECT_GT(with, without + 15);  // measured: 19.3 to 23.4
+    }
   }
 }
 
