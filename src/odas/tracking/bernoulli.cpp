@@ -25,7 +25,8 @@ constexpr double kGivenUp = -1.2;                          // of a candidate
 constexpr double kLost = -4;                               // of one that was confirmed
 constexpr double kMost = 10;                               // evidence is not counted beyond
 constexpr double kPatience = 0.3;                          // s of silence, at least
-constexpr double kPatienceEarned = 0.03;                   // s more for each nat of its strength
+constexpr double kEarned = 0.03, kEarnedAlone = 0.1;       // s more for each nat of its strength
+constexpr double kAlone = 45 * std::numbers::pi / 180;     // of azimuth: no other track is as near
 constexpr double kSamePlace = 6 * std::numbers::pi / 180;  // of azimuth: nearer than two people stand
 constexpr double kBeside = 25 * std::numbers::pi / 180;    // of azimuth: where a talker's reflections are
 constexpr double kMine = 4;  // as much likelier than another's an observation is when it moves a track
@@ -281,6 +282,13 @@ void BernoulliTracker::merge() noexcept {
   }
 }
 
+bool BernoulliTracker::has_neighbour(const Source& source, double azimuth) const noexcept {
+  return std::any_of(slots_.begin(), slots_.end(), [&](const Source& other) {
+    return &other != &source && other.stage != Stage::free &&
+           azimuth_between(other.walker.direction(), source.walker.direction()) < azimuth;
+  });
+}
+
 void BernoulliTracker::bury() noexcept {
   for (Source& candidate : candidates_) {
     if (candidate.stage != Stage::free && candidate.evidence < kGivenUp) clear(candidate);
@@ -290,7 +298,10 @@ void BernoulliTracker::bury() noexcept {
   for (std::size_t t = 0; t < slots_.size(); ++t) {
     Source& source = slots_[t];
     if (source.stage != Stage::seen) continue;
-    const double earned = (kPatience + kPatienceEarned * source.strength) / std::max(dt_, 1e-6);
+    // Near another it may be what is left of one that the other follows now.
+    const bool alone = !has_neighbour(source, kAlone);
+    const double earned =
+        (kPatience + (alone ? kEarnedAlone : kEarned) * source.strength) / std::max(dt_, 1e-6);
     const double patience = std::min(earned, static_cast<double>(config_.patience(living)));
     if (source.silent_hops < patience && source.evidence > kLost) continue;
     departed_.add(source.id, source.walker.direction(), t);
@@ -303,10 +314,7 @@ void BernoulliTracker::bury() noexcept {
 void BernoulliTracker::confirm() noexcept {
   for (Source& candidate : candidates_) {
     if (candidate.stage == Stage::free) continue;
-    const bool beside = std::any_of(slots_.begin(), slots_.end(), [&](const Source& s) {
-      return s.stage != Stage::free &&
-             azimuth_between(s.walker.direction(), candidate.walker.direction()) < kBeside;
-    });
+    const bool beside = has_neighbour(candidate, kBeside);
     const bool led = candidate.strength >= (beside ? kLedBeside : kLed);
     const bool is_there = beside ? led && candidate.evidence >= kConfirmedBeside
                                  : candidate.evidence >= (led ? kConfirmed : kConfirmedUnled);

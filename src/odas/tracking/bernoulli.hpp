@@ -85,6 +85,8 @@ class BernoulliTracker final : public Tracker {
   void associate() noexcept;
   void follow(Source& source, std::span<const Link> links) noexcept;
   void merge() noexcept;
+  /// Among the tracks, nearer than `azimuth` (rad).
+  [[nodiscard]] bool has_neighbour(const Source& source, double azimuth) const noexcept;
   void bury() noexcept;
   void confirm() noexcept;
   void show(Source& candidate) noexcept;
