@@ -15,6 +15,13 @@ std::uint64_t run_out_hops(const Configuration& config) {
   return frame / static_cast<std::size_t>(size.hop_size) + 2;
 }
 
+/// Until the last sound has come out: through the look-back, and the overlap of the frames. Without a
+/// look-back there are as many results as hops went in, as ODAS has it.
+std::size_t rest_hops(const Configuration& config, const Pipeline& pipeline) {
+  const std::size_t late = pipeline.lookback_hops();
+  return late == 0 ? 0 : late + (separation_frame(config.pipeline) - 1) / pipeline.hop_size();
+}
+
 }  // namespace
 
 HopLoop::HopLoop(const Configuration& config, std::size_t channels, int source_rate, Pipeline& pipeline,
@@ -23,6 +30,7 @@ HopLoop::HopLoop(const Configuration& config, std::size_t channels, int source_r
       gaps_(source_rate, pipeline.sample_rate(), pipeline.hop_size(),
             run_out_hops(config) + pipeline.lookback_hops()),
       silence_(channels, front_end_.block_size()),
+      rest_(rest_hops(config, pipeline)),
       pipeline_(pipeline),
       targets_(targets),
       pipelines_(pipelines),

@@ -51,7 +51,7 @@ class HopLoop {
     if (pad && front_end_.pop_rest(hop_)) take(process());
     if (hops_ == 0) return;
     hop_.fill(0);
-    for (std::size_t h = 0; h < pipeline_.lookback_hops(); ++h) take(process());
+    for (std::size_t h = 0; h < rest_; ++h) take(process());
   }
 
   [[nodiscard]] InputHealth& health() noexcept { return front_end_.health(); }
@@ -75,6 +75,7 @@ class HopLoop {
   FrontEnd front_end_;
   GapPlan gaps_;
   Grid<float> silence_;  // [channel][raw hop]
+  std::size_t rest_;     // hops of silence after the input has ended
   Pipeline& pipeline_;
   TargetInbox* targets_;
   PipelineInbox* pipelines_;

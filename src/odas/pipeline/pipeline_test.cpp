@@ -199,6 +199,7 @@ TEST(Pipeline, Delays_the_voices_by_the_look_back_and_changes_nothing_else) {
 struct Methods {
   const char *sep, *pf, *weighting;
   float lookback;
+  int frame = 0;  // of separation
 };
 class PipelineMethods : public ::testing::TestWithParam<Methods> {
  protected:
@@ -208,6 +209,7 @@ class PipelineMethods : public ::testing::TestWithParam<Methods> {
     config.ssl.weighting = GetParam().weighting;
     config.wanted.categories = true;
     config.sss.lookback = GetParam().lookback;
+    config.sss.frame_size = GetParam().frame;
   }
   PipelineConfig config;
 };
@@ -266,11 +268,30 @@ TEST_P(PipelineMethods, Contains_samples_that_are_no_numbers) {
 
 INSTANTIATE_TEST_SUITE_P(All, PipelineMethods,
                          ::testing::Values(Methods{"dds", "ss", "none", 0}, Methods{"dds", "ms", "snr", 40},
-                                           Methods{"dgss", "ms", "none", 40}),
+                                           Methods{"dgss", "ms", "none", 40},
+                                           Methods{"dmvdr", "mask", "none", 40, 512},
+                                           Methods{"dgss", "ms", "none", 0, 384}),
                          [](const auto& methods) {
                            return std::string(methods.param.sep) + "_" + methods.param.pf + "_" +
-                                  methods.param.weighting;
+                                  methods.param.weighting + "_" + std::to_string(methods.param.frame);
                          });
+
+TEST(Pipeline, Delays_the_voices_by_the_frame_of_separation_and_finds_the_same_tracks) {
+  const PipelineConfig plain = tetrahedron_config();
+  PipelineConfig config = plain;
+  config.sss.frame_size = 512;
+  Pipeline pipeline(config);
+  Pipeline before(plain);
+  EXPECT_DOUBLE_EQ(pipeline.plan().transform_ms, 24);
+  EXPECT_DOUBLE_EQ(before.plan().transform_ms, 8);
+  FarSource source(config.general, direction_of(35, 20), 60);
+  for (std::size_t h = 0; h < source.hops(); ++h) {
+    const HopResult a = pipeline.process_hop(source.hop(h));
+    const HopResult b = before.process_hop(source.hop(h));
+    ASSERT_EQ(a.tracks[0].id, b.tracks[0].id);
+    ASSERT_EQ(a.tracks[0].direction, b.tracks[0].direction);
+  }
+}
 
 TEST(Pipeline, Works_at_other_sizes) {
   for (const auto& [hop, frame] :

@@ -237,6 +237,7 @@ void AdaptiveBeamformer::begin(Slot& slot) noexcept {
 
 /// In place of diffuse sound of the whole level: the noise, and a little of all else.
 void AdaptiveBeamformer::begin_with_noise(Slot& slot) noexcept {
+  norm_.fill(1);  // the padding, too
   for (std::size_t k = 0; k < bins_; ++k) {
     float noise = 0;
     for (std::size_t m = 0; m < mics_; ++m) {

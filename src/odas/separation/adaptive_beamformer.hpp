@@ -35,7 +35,8 @@ namespace odas {
 ///   reduction", 2010; Warsitz and Haeb-Umbach, "Blind acoustic beamforming based on generalized eigenvalue
 ///   decomposition", 2007 (the target being of rank one, its eigenvector is R^-1 c). Departs: only one
 ///   column of the talker's covariance is kept; R is kept as its Cholesky factor, updated by rank one.
-/// Shapes: see Beamformer. Delay: none. Cost per hop: bins x (1/2 + 2.5 slots) mics^2 complex products.
+/// Shapes: see Beamformer. Delay: none. Cost per hop: bins x (1/2 + 2.5 slots) mics^2 complex products;
+///   slots x bins x mics^2 more with a known noise.
 /// Errors: a bin that is not finite gives silence and is not learned from.
 /// Fails: see TalkerMasks; all talkers' nulls take microphones: with as many as those, little is gained.
 class AdaptiveBeamformer : public Beamformer {
