@@ -86,6 +86,17 @@ TEST(Bernoulli, makes_no_track_of_what_stays_of_a_stronger_talker_beside_it) {
   EXPECT_NE(run.id_at(30), 0U);
 }
 
+TEST(Bernoulli, believes_later_in_who_is_never_the_loudest) {
+  Heard led;
+  led.hops(10, {{30, 20, 6}, {150, 20, 5.5F}});
+  EXPECT_NE(led.id_at(150), 0U);
+  Heard behind;
+  behind.hops(10, {{30, 20, 6}, {150, 20, 4}});
+  EXPECT_EQ(behind.id_at(150), 0U);
+  behind.hops(20, {{30, 20, 6}, {150, 20, 4}});
+  EXPECT_NE(behind.id_at(150), 0U);
+}
+
 TEST(Bernoulli, keeps_who_was_heard_well_through_a_pause_and_knows_who_comes_back_later) {
   Heard run(10);
   run.hops(300, {{30, 20, 5}});
