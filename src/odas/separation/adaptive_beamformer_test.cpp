@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "support/allocation_counter.hpp"
 #include "support/machine_noise.hpp"
 #include "support/wave_field.hpp"
 #include <gtest/gtest.h>
@@ -173,6 +174,21 @@ TEST(AdaptiveBeamformer, nulls_a_fan_that_it_was_told_of_from_the_first_hop_on) 
       EXPECT_GT(with, without + 15);  // measured: 19.3 to 23.4
     }
   }
+}
+
+TEST(AdaptiveBeamformer, allocates_nothing_with_a_known_noise) {
+  using test::Machine;
+  const NoiseField field(Machine::dictionary());
+  AdaptiveBeamformer beamformer(Criterion::mvdr, AdaptiveConfig{}, Machine::array(), 1);
+  beamformer.use_noise(&field);
+  Machine machine;
+  const Grid<cfloat> spectra = machine.hop(0, 1, 1);
+  Grid<cfloat> beams(1, kBins);
+  const std::vector<Track> tracks{test::track(1, Machine::talker())};
+  const auto before = test::allocations();
+  for (int hop = 0; hop < 20; ++hop) beamformer.separate(spectra, tracks, beams);
+  EXPECT_EQ(test::allocations(), before);
+  for (const cfloat y : beams[0]) EXPECT_TRUE(std::isfinite(std::norm(y)));
 }
 
 }  // namespace
