@@ -153,7 +153,7 @@ TEST(Libraries, stay_in_their_rooms) {
                                                            {"sndfile", {"io", "scene", "studio"}},
                                                            {"curl/", {"studio"}},
                                                            {"CLI/", {}},
-                                                           {"hwy/", {"localization"}},
+                                                           {"hwy/", {"localization", "separation"}},
                                                            {"alsa/", {"io"}},
                                                            {"pulse/", {"io"}}};
   for (const auto& [path, text] : tree()) {

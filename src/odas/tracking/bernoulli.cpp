@@ -19,7 +19,7 @@ constexpr double kFallsSilent = 0.5, kSpeaks = 0.5;        // s, means: until a 
 constexpr double kOpens = 0.3;                             // evidence of a potential that opens a candidate
 constexpr double kConfirmed = 3, kLed = 2;                 // nats: all evidence, and of hops that it led
 constexpr double kConfirmedUnled = 6;                      // all evidence of who did not lead
-constexpr double kConfirmedBeside = 8, kLedBeside = 6;     // of who is beside a track
+constexpr double kConfirmedBeside = 9.5, kLedBeside = 8;   // of who is beside a track
 constexpr double kBehind = 1.2;                            // nats; louder by less is not louder
 constexpr double kGivenUp = -1.2;                          // of a candidate
 constexpr double kLost = -4;                               // of one that was confirmed
@@ -27,9 +27,12 @@ constexpr double kMost = 10;                               // evidence is not co
 constexpr double kPatience = 0.3;                          // s of silence, at least
 constexpr double kEarned = 0.03, kEarnedAlone = 0.1;       // s more for each nat of its strength
 constexpr double kAlone = 45 * std::numbers::pi / 180;     // of azimuth: no other track is as near
-constexpr double kSamePlace = 6 * std::numbers::pi / 180;  // of azimuth: nearer than two people stand
+constexpr double kSamePlace = 8 * std::numbers::pi / 180;  // of azimuth: nearer than two people stand
 constexpr double kBeside = 25 * std::numbers::pi / 180;    // of azimuth: where a talker's reflections are
 constexpr double kMine = 4;  // as much likelier than another's an observation is when it moves a track
+constexpr double kEchoes = 40 * std::numbers::pi / 180;  // of elevation, floor and ceiling from their talker
+constexpr double kGoesOn = 1;                            // s of silence in which who walks walks on
+constexpr double kPause = 0.2, kPace = 20 * std::numbers::pi / 180;  // s, rad/s of somebody who walks by
 constexpr double kLess = 0.5, kLessNear = 1.5, kLessOld = 0.6;
 constexpr float kBesideCosine = 0.87F;
 constexpr float kBlur2East = 0.0016F, kBlur2North = 0.008F;
@@ -41,10 +44,11 @@ std::uint64_t hops_in(double seconds, double hop_seconds) {
                          : 0;
 }
 
-/// Nearer than two people stand; of elevation, as far as it is heard at all.
+/// Nearer than two people stand; of elevation, as far as it is heard at all: what floor and ceiling send back
+/// has the azimuth of its talker.
 bool one_place(Walker::Offset apart, float variance_north) {
   return std::abs(apart.east) < kSamePlace &&
-         std::abs(apart.north) < kSamePlace + 3.5 * std::sqrt(static_cast<double>(variance_north));
+         std::abs(apart.north) < kEchoes + 3.5 * std::sqrt(static_cast<double>(variance_north));
 }
 
 double azimuth_between(Vec3 a, Vec3 b) {
@@ -200,7 +204,7 @@ void BernoulliTracker::follow_targets() noexcept {
 void BernoulliTracker::associate() noexcept {
   for (Heard& heard : heard_) heard.others = diffuse_ * (1 + kNew * heard.old_ratio);
   for_each_live([&](Source& source, std::span<Link> links) {
-    if (source.stage != Stage::target) source.walker.predict();
+    if (source.stage != Stage::target) source.walker.predict(source.silent_hops * dt_ < kGoesOn);
     const double off = std::min(dt_ / kFallsSilent, 0.5);
     const double on = std::min(dt_ / kSpeaks, 0.5);
     source.sounding += on * (1 - source.sounding) - off * source.sounding;
@@ -322,8 +326,29 @@ void BernoulliTracker::confirm() noexcept {
   }
 }
 
+/// Somebody who fell silent as they walked, and may be here by now.
+BernoulliTracker::Source* BernoulliTracker::walked_on(const Source& candidate) noexcept {
+  const auto is_it = [&](const Source& source) {
+    const double silence = source.silent_hops * dt_;
+    return source.stage == Stage::seen && silence >= kPause && source.walker.walking() > 0.5 &&
+           azimuth_between(source.walker.direction(), candidate.walker.direction()) <
+               std::min(kSamePlace + kPace * silence, kBeside);
+  };
+  const auto source = std::find_if(slots_.begin(), slots_.end(), is_it);
+  return source == slots_.end() ? nullptr : &*source;
+}
+
 /// In its old slot, the channel where it is listened for, if it is known and nobody else is there.
 void BernoulliTracker::show(Source& candidate) noexcept {
+  if (Source* walker = walked_on(candidate)) {
+    candidate.id = walker->id;
+    candidate.stage = Stage::seen;
+    candidate.tag = walker->tag;
+    candidate.strength += walker->strength;
+    *walker = candidate;
+    clear(candidate);
+    return;
+  }
   Source* slot = free_slot();
   if (slot == nullptr) return;
   std::uint64_t id = 0;

@@ -89,6 +89,7 @@ class BernoulliTracker final : public Tracker {
   [[nodiscard]] bool has_neighbour(const Source& source, double azimuth) const noexcept;
   void bury() noexcept;
   void confirm() noexcept;
+  [[nodiscard]] Source* walked_on(const Source& candidate) noexcept;
   void show(Source& candidate) noexcept;
   void open() noexcept;
   [[nodiscard]] Source* free_slot() noexcept;

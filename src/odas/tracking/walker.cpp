@@ -50,8 +50,8 @@ double Walker::Axis::observe(double z, double variance, double weight) noexcept 
   return weight * log_likelihood;
 }
 
-void Walker::Axis::walk(double dt, double forget, double speed2) noexcept {
-  x += dt * v;
+void Walker::Axis::walk(double dt, double forget, double speed2, bool goes_on) noexcept {
+  if (goes_on) x += dt * v;
   pp += dt * (2 * pv + dt * vv);
   pv = forget * (pv + dt * vv);
   vv = forget * forget * vv + (1 - forget * forget) * speed2;
@@ -83,7 +83,7 @@ void Walker::mix(Axis& standing, Axis& walking, double speed2, double to_standin
   walking = joint(walking, 1 - to_walking, starts, to_walking);
 }
 
-void Walker::predict() noexcept {
+void Walker::predict(bool goes_on) noexcept {
   auto& [stands, walks] = models_;
   const double starting = stands.weight * std::min(dt_ / kStands, 0.5);
   const double stopping = walks.weight * std::min(dt_ / kWalks, 0.5);
@@ -93,8 +93,8 @@ void Walker::predict() noexcept {
   mix(stands.north, walks.north, kRising2, stopping / stands.weight, starting / walks.weight);
   stands.east.pp += dt_ * kDrift2;
   stands.north.pp += dt_ * kDrift2;
-  walks.east.walk(dt_, forget_, kTurning2);
-  walks.north.walk(dt_, forget_, kRising2);
+  walks.east.walk(dt_, forget_, kTurning2, goes_on);
+  walks.north.walk(dt_, forget_, kRising2, goes_on);
 }
 
 Walker::Offset Walker::offset_of(Vec3 z) const noexcept {

@@ -26,7 +26,8 @@ class Walker {
   explicit Walker(double hop_seconds);
 
   void start(Vec3 direction, const TangentCovariance& covariance) noexcept;
-  void predict() noexcept;
+  /// `goes_on`: whether one who walks is thought to; who is long silent may have stopped anywhere.
+  void predict(bool goes_on = true) noexcept;
 
   /// Where an observation lies as seen from here.
   struct Offset {
@@ -60,7 +61,7 @@ class Walker {
     double pp = 0, pv = 0, vv = 0;
     /// Returns the log of the likelihood.
     double observe(double z, double variance, double weight) noexcept;
-    void walk(double dt, double forget, double speed2) noexcept;
+    void walk(double dt, double forget, double speed2, bool goes_on) noexcept;
   };
   struct Model {
     double weight = 0;
