@@ -137,6 +137,17 @@ TEST(Bernoulli, keeps_the_identities_of_two_who_cross) {
   EXPECT_EQ(run.id_at(0), 2U);
 }
 
+TEST(Bernoulli, knows_who_walked_on_in_a_pause_faster_than_before) {
+  Heard run;
+  for (int h = 0; h < 375; ++h) run.hop({{-60 + 12 * static_cast<float>(h * kHop), 20, 5}});
+  const std::uint64_t id = run.id_at(-24);
+  ASSERT_NE(id, 0U);
+  run.hops(75, {});
+  run.hops(60, {{0, 20, 5}});
+  EXPECT_EQ(run.id_at(0), id);
+  EXPECT_EQ(run.living(), 1);
+}
+
 TEST(Bernoulli, tells_that_azimuth_is_surer_than_elevation) {
   Heard run;
   run.hops(100, {{30, 20, 5}});

@@ -72,6 +72,19 @@ TEST(Walker, gets_less_sure_while_nobody_is_heard_and_walks_on_for_a_while) {
   EXPECT_GT(azimuth_deg(walker.direction()), 45 + 2);
 }
 
+TEST(Walker, stays_where_it_was_when_it_is_not_thought_to_go_on) {
+  Walker walker(kHop);
+  walker.start(direction_of(0, 10), kSharp);
+  hear(walker, 0, 10, 20, 3);
+  const Vec3 last = walker.direction();
+  for (int h = 0; h < 100; ++h) {
+    walker.predict(false);
+    walker.settle();
+  }
+  EXPECT_LT(std::abs(in_degrees(walker.offset_of(last).east)), 1);
+  EXPECT_GT(walker.turning(), 0);
+}
+
 TEST(Walker, forgives_elevation_where_it_is_badly_heard_and_azimuth_not) {
   Walker walker(kHop);
   walker.start(direction_of(0, 20), kFlat);
