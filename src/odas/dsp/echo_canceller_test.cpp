@@ -187,7 +187,7 @@ TEST(EchoCanceller, forgets_nothing_for_samples_that_are_not_finite) {
   const float most = std::numeric_limits<float>::max();
   Room room(8);
   const Room sound = room;
-  for (const std::size_t at : {4 * kRate, 4 * kRate + 1000}) {
+  for (const std::size_t at : {std::size_t{4} * kRate, std::size_t{4} * kRate + 1000}) {
     room.echo[0][at] = nan;
     room.echo[1][at] = most;
     room.played[at] = std::numeric_limits<float>::infinity();

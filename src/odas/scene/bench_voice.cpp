@@ -57,10 +57,10 @@ SoundRecipe draw_voice(Random& random, bool test_half) {
 
 std::vector<std::vector<float>> crowd_voices(std::uint32_t seed, bool test_half, int sample_rate,
                                              double seconds) {
-  constexpr std::uint32_t kVoices = 6, kPart = 200;
+  constexpr std::uint32_t kTalkers = 6, kPart = 200;
   const auto samples = static_cast<std::size_t>(seconds * sample_rate);
   std::vector<std::vector<float>> voices;
-  for (std::uint32_t v = 0; v < kVoices; ++v) {
+  for (std::uint32_t v = 0; v < kTalkers; ++v) {
     Random random = Random::of(seed, kPart + v);
     SoundRecipe recipe = draw_voice(random, test_half);
     recipe.utterances.push_back({0, draw_words(random, test_half, 2 + static_cast<int>(seconds / 2))});
