@@ -152,7 +152,9 @@ test("a session replays the hops that were seen live, each once", options, async
   const waiting = page.waitForEvent("download");
   await page.locator(".stage-head").getByRole("button", { name: "JSONL", exact: true }).focus();
   await page.keyboard.press("Enter");
-  const mine = readFileSync(await (await waiting).path(), "utf8");
+  const saved = join(folder.path, "replayed.jsonl");
+  await (await waiting).saveAs(saved);
+  const mine = readFileSync(saved, "utf8");
   const lines = (text) => text.trim().split("\n").map((line) => JSON.parse(line));
   const replayed = lines(mine);
   const stamps = replayed.map((hop) => hop.timeStamp);

@@ -67,6 +67,7 @@ test("a label is given, and chosen recordings go into one ZIP", async () => {
   const { page, done } = await open({ daemon });
   const row = page.locator(".recording").first();
   await row.getByRole("button", { name: /^Rename/ }).click();
+  await row.locator("input:focus").waitFor();
   await page.keyboard.type("The red cup");
   await page.keyboard.press("Enter");
   await page.getByText("The red cup", { exact: true }).waitFor();
