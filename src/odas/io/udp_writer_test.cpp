@@ -42,15 +42,15 @@ TEST(UdpWriter, goes_on_where_nobody_listens) {
 TEST(UdpWriter, tries_the_next_address_of_a_name_where_one_refuses) {
   int nobody = 0;
   { nobody = udp_peer().second; }
-  const auto [socket, port] = udp_peer();
+  const auto peer = udp_peer();
   UdpWriter writer("peer",
                    {look_up("127.0.0.1", nobody, SOCK_DGRAM).all.front(),
-                    look_up("127.0.0.1", port, SOCK_DGRAM).all.front()},
+                    look_up("127.0.0.1", peer.second, SOCK_DGRAM).all.front()},
                    {});
   std::string got(16, '\0');
   ASSERT_TRUE(test::eventually([&] {
     return writer.write(std::string("hop")).ok() &&
-           ::recv(socket.get(), got.data(), got.size(), MSG_DONTWAIT) == 3;
+           ::recv(peer.first.get(), got.data(), got.size(), MSG_DONTWAIT) == 3;
   }));
   EXPECT_TRUE(got.starts_with("hop"));
 }
