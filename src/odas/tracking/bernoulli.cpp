@@ -44,11 +44,12 @@ std::uint64_t hops_in(double seconds, double hop_seconds) {
                          : 0;
 }
 
-/// Nearer than two people stand; of elevation, as far as it is heard at all: what floor and ceiling send back
-/// has the azimuth of its talker.
-bool one_place(Walker::Offset apart, float variance_north) {
+/// Nearer than two people stand. Where elevation is worse heard than azimuth, what floor and ceiling send
+/// back, at the azimuth of their talker, is in one place with them.
+bool one_place(Walker::Offset apart, TangentCovariance blur) {
+  const double echoes = blur.north > 2 * blur.east ? kEchoes : kSamePlace;
   return std::abs(apart.east) < kSamePlace &&
-         std::abs(apart.north) < kEchoes + 3.5 * std::sqrt(static_cast<double>(variance_north));
+         std::abs(apart.north) < echoes + 3.5 * std::sqrt(static_cast<double>(blur.north));
 }
 
 double azimuth_between(Vec3 a, Vec3 b) {
@@ -271,7 +272,7 @@ void BernoulliTracker::merge() noexcept {
     return std::any_of(slots_.begin(), slots_.end(), [&](const Source& older) {
       if (&older == &source || older.stage == Stage::free || older.age <= source.age) return false;
       return one_place(older.walker.offset_of(source.walker.direction()),
-                       std::max(older.blur.north, source.blur.north));
+                       older.blur.north > source.blur.north ? older.blur : source.blur);
     });
   };
   for (Source& candidate : candidates_) {
@@ -373,7 +374,7 @@ void BernoulliTracker::open() noexcept {
     // Not twice in one place.
     const bool is_there = std::any_of(candidates_.begin(), candidates_.end(), [&](const Source& s) {
       return s.stage != Stage::free && s.age == 0 &&
-             one_place(s.walker.offset_of(heard.direction), heard.covariance.north);
+             one_place(s.walker.offset_of(heard.direction), heard.covariance);
     });
     if (is_there) continue;
     place->stage = Stage::candidate;
