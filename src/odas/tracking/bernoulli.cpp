@@ -339,24 +339,22 @@ BernoulliTracker::Source* BernoulliTracker::walked_on(const Source& candidate) n
   return source == slots_.end() ? nullptr : &*source;
 }
 
-/// In its old slot, the channel where it is listened for, if it is known and nobody else is there.
+/// In the place of who walked on to here; or else in its old slot, the channel where it is listened for, if
+/// it is known and nobody else is there.
 void BernoulliTracker::show(Source& candidate) noexcept {
-  if (Source* walker = walked_on(candidate)) {
-    candidate.id = walker->id;
-    candidate.stage = Stage::seen;
-    candidate.tag = walker->tag;
-    candidate.strength += walker->strength;
-    *walker = candidate;
-    clear(candidate);
-    return;
-  }
-  Source* slot = free_slot();
-  if (slot == nullptr) return;
   std::uint64_t id = 0;
-  if (const auto known = departed_.nearest(candidate.walker.direction())) {
-    const Departed::Source source = departed_.take(known->place);
-    id = source.id;
-    if (slots_[source.slot].stage == Stage::free) slot = &slots_[source.slot];
+  Source* slot = walked_on(candidate);
+  if (slot != nullptr) {
+    id = slot->id;
+    candidate.strength += slot->strength;
+  } else {
+    slot = free_slot();
+    if (slot == nullptr) return;
+    if (const auto known = departed_.nearest(candidate.walker.direction())) {
+      const Departed::Source source = departed_.take(known->place);
+      id = source.id;
+      if (slots_[source.slot].stage == Stage::free) slot = &slots_[source.slot];
+    }
   }
   *slot = candidate;
   slot->stage = Stage::seen;
