@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "support/goldens.hpp"
+#include "support/read_sound.hpp"
 #include <gtest/gtest.h>
-#include <sndfile.h>
 
 #include "odas/config/reader.hpp"
 #include "odas/pipeline/pipeline.hpp"
@@ -100,22 +100,6 @@ double share_whole(const std::vector<double>& missing) {
   return static_cast<double>(whole) / static_cast<double>(missing.size());
 }
 
-/// [channel][sample]
-Grid<float> read_mics(const fs::path& file) {
-  SF_INFO info{};
-  SNDFILE* sound = sf_open(file.c_str(), SFM_READ, &info);
-  if (sound == nullptr) throw std::runtime_error("cannot read " + file.string());
-  const auto channels = static_cast<std::size_t>(info.channels);
-  std::vector<float> interleaved(static_cast<std::size_t>(info.frames) * channels);
-  const sf_count_t frames = sf_readf_float(sound, interleaved.data(), info.frames);
-  sf_close(sound);
-  Grid<float> samples(channels, static_cast<std::size_t>(frames));
-  for (std::size_t n = 0; n < samples.cols(); ++n) {
-    for (std::size_t c = 0; c < channels; ++c) samples[c][n] = interleaved[n * channels + c];
-  }
-  return samples;
-}
-
 struct Case {
   const char* scene;
   const char* array;
@@ -134,7 +118,7 @@ TEST(FirstSyllable, is_there_in_the_shared_scenes_in_19_of_20_utterances_that_ar
         Case{"cma16_static2", "azimut3_closed_16"}}) {
     const fs::path folder = *shared / "scenes" / c.scene;
     const KnownScene scene = read_truth(folder);
-    const Grid<float> mics = read_mics(folder / "mics.wav");
+    const Grid<float> mics = test::read_sound(folder / "mics.wav");
     for (const bool look_back : {true, false}) {
       std::vector<double>& all = look_back ? with : without;
       const auto lost = missing(scene, hear(array_config(c.array, look_back), mics));

@@ -9,9 +9,9 @@
 
 #include "support/goldens.hpp"
 #include "support/odas_ms.hpp"
+#include "support/read_sound.hpp"
 #include "support/wave_field.hpp"
 #include <gtest/gtest.h>
-#include <sndfile.h>
 
 #include "odas/config/reader.hpp"
 #include "odas/dsp/mcra.hpp"
@@ -23,22 +23,6 @@ namespace odas {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// [channel][sample]
-Grid<float> read_sound(const fs::path& file) {
-  SF_INFO info{};
-  SNDFILE* sound = sf_open(file.c_str(), SFM_READ, &info);
-  if (sound == nullptr) throw std::runtime_error("cannot read " + file.string());
-  const auto channels = static_cast<std::size_t>(info.channels);
-  std::vector<float> interleaved(static_cast<std::size_t>(info.frames) * channels);
-  const sf_count_t frames = sf_readf_float(sound, interleaved.data(), info.frames);
-  sf_close(sound);
-  Grid<float> samples(channels, static_cast<std::size_t>(frames));
-  for (std::size_t n = 0; n < samples.cols(); ++n) {
-    for (std::size_t c = 0; c < channels; ++c) samples[c][n] = interleaved[n * channels + c];
-  }
-  return samples;
-}
 
 /// ODAS's tracks, hop by hop.
 std::vector<std::vector<Track>> read_tracks(const fs::path& file) {
@@ -64,14 +48,14 @@ struct Scene {
   Scene(const fs::path& of, const std::string& cfg)
       : folder(of),
         config(load_configuration(folder / "odas" / cfg).config.pipeline),
-        mics(read_sound(folder / "mics.wav")),
+        mics(test::read_sound(folder / "mics.wav")),
         tracks(read_tracks(folder / "odas" / "tracks.json.gz")) {}
 
   [[nodiscard]] std::size_t hop() const { return static_cast<std::size_t>(config.general.size.hop_size); }
 
   /// ODAS's stream with its window's ripple taken out: ODAS multiplies by the window sum, ours is flat.
   [[nodiscard]] Grid<float> golden(const std::string& flac) const {
-    Grid<float> sound = read_sound(folder / "odas" / flac);
+    Grid<float> sound = test::read_sound(folder / "odas" / flac);
     const auto window = root_hann(static_cast<std::size_t>(config.general.size.frame_size));
     for (std::size_t n = 0; n < hop(); ++n) {
       float sum = 0;

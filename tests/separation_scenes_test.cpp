@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "support/goldens.hpp"
+#include "support/read_sound.hpp"
 #include "support/wave_field.hpp"
 #include <gtest/gtest.h>
-#include <sndfile.h>
 
 #include "odas/config/reader.hpp"
 #include "odas/dsp/stft.hpp"
@@ -26,22 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kFrame = 512;
-
-/// [channel][sample]
-Grid<float> read_sound(const fs::path& file) {
-  SF_INFO info{};
-  SNDFILE* sound = sf_open(file.c_str(), SFM_READ, &info);
-  if (sound == nullptr) throw std::runtime_error("cannot read " + file.string());
-  const auto channels = static_cast<std::size_t>(info.channels);
-  std::vector<float> interleaved(static_cast<std::size_t>(info.frames) * channels);
-  const sf_count_t frames = sf_readf_float(sound, interleaved.data(), info.frames);
-  sf_close(sound);
-  Grid<float> samples(channels, static_cast<std::size_t>(frames));
-  for (std::size_t n = 0; n < samples.cols(); ++n) {
-    for (std::size_t c = 0; c < channels; ++c) samples[c][n] = interleaved[n * channels + c];
-  }
-  return samples;
-}
 
 struct Sdr {
   double in = 0, separated = 0, postfiltered = 0;
@@ -58,7 +42,7 @@ Sdr separate(const fs::path& folder, const std::string& mode_sep) {
     for (MicConfig& mic : config.general.mics) mic.angle = {80, 90};
   }
   const KnownScene scene = read_truth(folder);
-  const Grid<float> mics = read_sound(folder / "mics.wav");
+  const Grid<float> mics = test::read_sound(folder / "mics.wav");
   const std::size_t slots = scene.sources.size();
   const std::size_t hop = scene.hop_size;
   const std::size_t hops = std::min(scene.hops, mics.cols() / hop);
@@ -96,7 +80,7 @@ Sdr separate(const fs::path& folder, const std::string& mode_sep) {
   const std::size_t length = voices.cols() - delay;
   const double share = 1 / static_cast<double>(slots);
   for (std::size_t s = 0; s < slots; ++s) {
-    const Grid<float> image = read_sound(folder / ("image_" + std::to_string(s) + ".wav"));
+    const Grid<float> image = test::read_sound(folder / ("image_" + std::to_string(s) + ".wav"));
     const auto target = image[0].first(length);
     sdr.in += share * sdr_db(mics[0].first(length), target);
     sdr.separated += share * sdr_db(voices[s].subspan(delay), target);
