@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "first_seconds.hpp"
 #include "progress.hpp"
+#include "run_progress.hpp"
 #include "stop.hpp"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -36,8 +37,6 @@ struct Arguments {
   std::size_t entries = NoiseDictionary::kMostEntries;
   bool anyway = false;
 };
-
-void say(const std::string& text) { std::fprintf(stderr, "odas: %s\n", text.c_str()); }
 
 /// The configuration; that the dictionary which it names is not there yet is no fault here.
 LoadedConfiguration load(const std::filesystem::path& file) {
@@ -84,15 +83,7 @@ class LearningSink : public Sink {
 
 void listen(AudioSource& source, const Configuration& config, LearningSink& sink) {
   Progress progress;
-  RunOptions options;
-  options.stop = &stop_on_signals();
-  options.progress = [&](std::uint64_t done, std::optional<std::uint64_t> total) {
-    if (total) progress.show(static_cast<double>(done) / static_cast<double>(*total));
-  };
-  options.warn = [&](const std::string& warning) {
-    progress.clear();
-    say("warning: " + warning);
-  };
+  const RunOptions options = shown_by(progress);
   Pipeline pipeline(config.pipeline);
   const std::array<Sink*, 1> sinks{&sink};
   const auto run = source.live() ? run_live : run_offline;

@@ -7,6 +7,7 @@
 
 #include "commands.hpp"
 #include "progress.hpp"
+#include "run_progress.hpp"
 #include "run_report.hpp"
 #include "stop.hpp"
 #include <CLI/CLI.hpp>
@@ -34,8 +35,6 @@ struct Arguments {
 
 constexpr std::array kFiles{"tracks.jsonl", "potentials.jsonl", kReferenceFile, "report.html"};
 constexpr std::array kOdasFiles{"tracks.json", "pots.json", "separated.raw", "postfiltered.raw"};
-
-void say(const std::string& text) { std::fprintf(stderr, "odas: %s\n", text.c_str()); }
 
 /// The folder for the results. The files that an earlier run left there are removed, and nothing else.
 fs::path prepare_folder(const Arguments& arguments) {
@@ -73,15 +72,7 @@ Pipeline make_pipeline(LoadedConfiguration& loaded, bool postfiltered) {
 RunSummary process(AudioSource& source, const Configuration& config, Pipeline& pipeline,
                    std::span<Sink* const> sinks) {
   Progress progress;
-  RunOptions options;
-  options.stop = &stop_on_signals();
-  options.progress = [&](std::uint64_t done, std::optional<std::uint64_t> total) {
-    if (total) progress.show(static_cast<double>(done) / static_cast<double>(*total));
-  };
-  options.warn = [&](const std::string& warning) {
-    progress.clear();
-    say("warning: " + warning);
-  };
+  const RunOptions options = shown_by(progress);
   return run_offline(source, config, pipeline, sinks, options);
 }
 

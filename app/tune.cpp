@@ -11,6 +11,7 @@
 #include "energy_measurement.hpp"
 #include "png_canvas.hpp"
 #include "progress.hpp"
+#include "run_progress.hpp"
 #include "stop.hpp"
 #include "tune_text.hpp"
 #include <CLI/CLI.hpp>
@@ -34,8 +35,6 @@ struct Arguments {
   std::string array, silence, talk, out, svg, png;
   double seconds = 60;
 };
-
-void say(const std::string& text) { std::fprintf(stderr, "odas: %s\n", text.c_str()); }
 
 /// Asked to stop: there is no measurement, and nothing is written.
 void end_if_stopped() {
@@ -87,15 +86,7 @@ class Measurement {
 
   Energies run(AudioSource& source, double seconds) {
     Progress progress;
-    RunOptions options;
-    options.stop = &stop_on_signals();
-    options.progress = [&](std::uint64_t done, std::optional<std::uint64_t> total) {
-      if (total) progress.show(static_cast<double>(done) / static_cast<double>(*total));
-    };
-    options.warn = [&](const std::string& warning) {
-      progress.clear();
-      say("warning: " + warning);
-    };
+    const RunOptions options = shown_by(progress);
     const Energies energies = measure_energies(source, config_, pipeline_, seconds, options);
     progress.clear();
     end_if_stopped();

@@ -144,7 +144,7 @@ export function fakeConfig() {
     },
     "config.save": ({ name }) => {
       state.dirty = false;
-      return { file: `/home/me/${name ?? "respeaker_usb_4_mic"}.cfg` };
+      return { file: `/etc/odas/${name ?? "respeaker_usb_4_mic"}.cfg` };
     },
     "arrays.list": () => [{ name: "minidsp_uma16", title: "miniDSP UMA-16 (v1 and v2)" }, { name: "respeaker_usb_4_mic", title: "Seeed ReSpeaker USB Mic Array v2.0" }],
     "arrays.get": () => ({ text: textOf(kFirst) }),
