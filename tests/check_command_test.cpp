@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "support/program.hpp"
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 
 #include "odas/config/keys.hpp"
@@ -19,18 +20,13 @@ test::ProgramRun check(const std::string& argument) {
 
 class CheckCommand : public ::testing::Test {
  protected:
-  CheckCommand() { fs::create_directories(folder_); }
-  ~CheckCommand() override {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
   std::string write(const std::string& text) const {
     const fs::path file = folder_ / "my.cfg";
     std::ofstream(file) << text;
     return file.string();
   }
-  fs::path folder_ =
-      fs::path(::testing::TempDir()) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  test::Scratch scratch_;
+  fs::path folder_ = scratch_.folder();
 };
 
 TEST_F(CheckCommand, prints_the_plan_of_every_array_file_and_nothing_else) {

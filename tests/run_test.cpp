@@ -8,6 +8,7 @@
 #include <random>
 
 #include "support/program.hpp"
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sndfile.hh>
@@ -53,17 +54,12 @@ std::vector<float> plane_wave(std::size_t frames) {
 class Run : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              ("odas_run_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     std::ofstream(config()) << R"(
       raw: { fS = 16000; hopSize = 128; nBits = 16; nChannels = 4; };
       general: { mics = ( { mu = (-0.032, 0.0, 0.0); }, { mu = (0.0, -0.032, 0.0); },
                           { mu = (0.032, 0.0, 0.0); }, { mu = (0.0, 0.032, 0.0); } ); };
     )";
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   [[nodiscard]] fs::path config() const { return folder_ / "array.cfg"; }
   [[nodiscard]] fs::path out() const { return folder_ / "out"; }
@@ -100,7 +96,8 @@ class Run : public testing::Test {
     return result;
   }
 
-  fs::path folder_;
+  test::Scratch scratch_;
+  fs::path folder_ = scratch_.folder();
 };
 
 bool contains(const std::string& text, const std::string& part) {

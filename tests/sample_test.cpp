@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "support/program.hpp"
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 #include <sndfile.hh>
 
@@ -21,14 +22,10 @@ const fs::path kSamples = kSource / "samples";
 
 class Sample : public ::testing::Test {
  protected:
-  ~Sample() override {
-    std::error_code ignored;
-    fs::remove_all(out_, ignored);
-  }
   [[nodiscard]] std::string out() const { return out_.string(); }
 
-  fs::path out_ = fs::path(::testing::TempDir()) / "odas_sample" /
-                  ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  test::Scratch scratch_;
+  fs::path out_ = scratch_ / "out";
 };
 
 /// 16 bit, the channels interleaved.

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "support/program.hpp"
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 
 namespace odas {
@@ -14,13 +15,8 @@ namespace fs = std::filesystem;
 class ScoreCommand : public ::testing::Test {
  protected:
   ScoreCommand() {
-    fs::create_directories(folder_);
     std::ofstream(folder_ / "truth.json") << R"({"fs":16000,"hop":128,"scene":{"seconds":0.016},"sources":[)"
                                           << R"({"doa":[[1,0,0],[1,0,0]],"active":[1,1]}]})";
-  }
-  ~ScoreCommand() override {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
   }
   void write_tracks() const {
     std::ofstream(folder_ / "tracks.jsonl")
@@ -32,8 +28,8 @@ class ScoreCommand : public ::testing::Test {
     command.insert(command.end(), more.begin(), more.end());
     return test::run_program(command);
   }
-  fs::path folder_ =
-      fs::path(::testing::TempDir()) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  test::Scratch scratch_;
+  fs::path folder_ = scratch_.folder();
 };
 
 TEST_F(ScoreCommand, prints_a_table_and_nothing_else) {

@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 
 namespace odas {
@@ -26,16 +27,12 @@ std::vector<Fault> faults_of(std::string_view text) {
 class SourceFiles : public ::testing::Test {
  protected:
   SourceFiles() { fs::create_directories(folder_ / "parts"); }
-  ~SourceFiles() override {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
   fs::path write(const std::string& name, std::string_view text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
     return folder_ / name;
   }
-  fs::path folder_ =
-      fs::path(::testing::TempDir()) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  test::Scratch scratch_;
+  fs::path folder_ = scratch_.folder();
 };
 
 TEST(SourceText, makes_lists_of_arrays_so_that_numbers_may_mix) {

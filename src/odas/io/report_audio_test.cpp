@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 #include <sndfile.hh>
 
@@ -14,16 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path temporary(const std::string& name) {
-  return fs::path(testing::TempDir()) / ("odas_report_audio_" + name);
-}
-
 std::string base64(const std::string& bytes) {
-  const fs::path file = temporary("bytes");
+  const test::Scratch scratch;
+  const fs::path file = scratch / "bytes";
   std::ofstream(file, std::ios::binary) << bytes;
   std::ostringstream out;
   write_base64(out, file);
-  fs::remove(file);
   return out.str();
 }
 
@@ -44,11 +41,12 @@ TEST(Base64, pads_only_at_the_end_of_a_file_of_many_blocks) {
 
 TEST(Base64, throws_when_the_file_is_missing) {
   std::ostringstream out;
-  EXPECT_THROW(write_base64(out, temporary("missing")), IoError);
+  EXPECT_THROW(write_base64(out, test::Scratch() / "missing"), IoError);
 }
 
 TEST(Waveform, holds_the_largest_sample_of_each_stretch) {
-  const fs::path file = temporary("wave.wav");
+  const test::Scratch scratch;
+  const fs::path file = scratch / "wave.wav";
   {
     SndfileHandle sound(file.string(), SFM_WRITE, SF_FORMAT_WAV | SF_FORMAT_PCM_16, 1, 8000);
     std::vector<float> samples(8000, 0.0F);
@@ -63,16 +61,15 @@ TEST(Waveform, holds_the_largest_sample_of_each_stretch) {
   EXPECT_NEAR(w.peaks[0], 0.5F, 1e-3F);
   EXPECT_EQ(w.peaks[5], 0.0F);
   EXPECT_NEAR(w.peaks[9], 0.25F, 1e-3F);
-  fs::remove(file);
 }
 
 TEST(Waveform, of_no_sound_is_empty) {
-  const fs::path file = temporary("empty.wav");
+  const test::Scratch scratch;
+  const fs::path file = scratch / "empty.wav";
   { const SndfileHandle sound(file.string(), SFM_WRITE, SF_FORMAT_WAV | SF_FORMAT_PCM_16, 1, 8000); }
   const Waveform w = waveform_of(file, 10);
   EXPECT_EQ(w.peak, 0.0F);
   EXPECT_TRUE(w.peaks.empty());
-  fs::remove(file);
 }
 
 }  // namespace

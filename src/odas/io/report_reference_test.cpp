@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 #include <sndfile.hh>
 
@@ -40,7 +41,8 @@ class Ramp final : public AudioSource {
 };
 
 TEST(ReferenceTap, keeps_its_channel_and_passes_all_on) {
-  const fs::path file = fs::path(testing::TempDir()) / "odas_reference.wav";
+  const test::Scratch scratch;
+  const fs::path file = scratch / "reference.wav";
   Ramp ramp;
   ReferenceTap tap(ramp, 1, file);
   EXPECT_EQ(tap.channels(), 3U);
@@ -65,7 +67,6 @@ TEST(ReferenceTap, keeps_its_channel_and_passes_all_on) {
   EXPECT_NEAR(heard[0], 0.1F, 1e-4F);
   EXPECT_EQ(heard[1], 0.0F);
   EXPECT_NEAR(heard[9], 0.109F, 1e-4F);
-  fs::remove(file);
 }
 
 TEST(ReferenceTap, ends_the_recording_when_the_disk_is_full) {

@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sndfile.hh>
@@ -16,13 +17,6 @@ namespace fs = std::filesystem;
 
 class ReportSinkTest : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              ("odas_sink_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   static HopResult hop(HopIndex time, const std::array<Track, 1>& tracks, const Grid<float>& audio) {
     HopResult result;
     result.time = time;
@@ -31,7 +25,8 @@ class ReportSinkTest : public testing::Test {
     return result;
   }
 
-  fs::path folder_;
+  test::Scratch scratch_;
+  fs::path folder_ = scratch_ / "out";
 };
 
 TEST_F(ReportSinkTest, writes_the_voices_with_their_gain_and_remembers_their_way) {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sndfile.hh>
@@ -18,12 +19,7 @@ namespace fs = std::filesystem;
 
 class Report : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              ("odas_report_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::create_directories(folder_ / "voices");
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { fs::create_directories(folder_ / "voices"); }
 
   void write_tone(const std::string& file, int seconds) const {
     SndfileHandle sound((folder_ / file).string(), SFM_WRITE, SF_FORMAT_WAV | SF_FORMAT_PCM_16, 1, 16000);
@@ -77,7 +73,8 @@ class Report : public testing::Test {
     return n;
   }
 
-  fs::path folder_;
+  test::Scratch scratch_;
+  fs::path folder_ = scratch_.folder();
 };
 
 TEST_F(Report, loads_nothing_from_anywhere) {

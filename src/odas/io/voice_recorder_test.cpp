@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sndfile.hh>
@@ -19,13 +20,6 @@ const VoiceRecorder::Format kFormat{16000, 0.008, 0.008, 1};
 
 class VoiceRecorderTest : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              ("odas_voices_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   /// Hops 1..n, each sample telling its hop and slot: hop/1000 + slot/10.
   static void run(VoiceRecorder& recorder, const std::vector<std::array<std::uint64_t, 2>>& ids) {
     Grid<float> audio(2, kHop);
@@ -49,7 +43,8 @@ class VoiceRecorderTest : public testing::Test {
     return result;
   }
 
-  fs::path folder_;
+  test::Scratch scratch_;
+  fs::path folder_ = scratch_ / "out";
 };
 
 TEST_F(VoiceRecorderTest, a_source_that_comes_back_does_not_overwrite_what_it_said) {

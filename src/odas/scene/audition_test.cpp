@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 
 #include "odas/base/error.hpp"
@@ -14,18 +15,13 @@ namespace fs = std::filesystem;
 
 class AuditionFiles : public ::testing::Test {
  protected:
-  AuditionFiles() { fs::create_directories(folder_); }
-  ~AuditionFiles() override {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
   void write(const char* name, std::string_view text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
   }
   [[nodiscard]] Audition read() const { return read_audition(folder_, {}); }
 
-  fs::path folder_ =
-      fs::path(::testing::TempDir()) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  test::Scratch scratch_;
+  fs::path folder_ = scratch_.folder();
 };
 
 constexpr std::string_view kOdasTracks = R"({

@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 #include <sndfile.hh>
 
@@ -17,12 +18,6 @@ constexpr std::size_t kHop = 4;
 
 class HeardVoices : public ::testing::Test {
  protected:
-  HeardVoices() { fs::create_directories(folder_); }
-  ~HeardVoices() override {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-
   /// Hops of 4 samples; each sample says hop, place in the hop and channel: 1000 h + 10 n + c.
   [[nodiscard]] fs::path raw(std::size_t hops, std::size_t channels) const {
     std::ofstream out(folder_ / "separated.raw", std::ios::binary);
@@ -43,8 +38,8 @@ class HeardVoices : public ::testing::Test {
     return out[n] * 32768;
   }
 
-  fs::path folder_ =
-      fs::path(::testing::TempDir()) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  test::Scratch scratch_;
+  fs::path folder_ = scratch_.folder();
 };
 
 TEST_F(HeardVoices, of_raw_files_are_the_channel_of_the_slot) {

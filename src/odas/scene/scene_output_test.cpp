@@ -3,10 +3,10 @@
 
 #include <fstream>
 
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sndfile.h>
-#include <unistd.h>
 
 #include "odas/base/error.hpp"
 #include "odas/scene/simulate.hpp"
@@ -18,7 +18,6 @@ namespace {
 class SceneOutput : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("odas-scene-" + std::to_string(getpid()));
     scene_.seconds = 0.5;
     scene_.mics = {{{-0.03F, 0, 0}, {0, 0, 1}, 1}, {{0.03F, 0, 0}, {0, 0, 1}, 1}};
     SceneSource source;
@@ -29,9 +28,9 @@ class SceneOutput : public ::testing::Test {
     scene_.sources = {source};
     result_ = simulate(scene_);
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::filesystem::path folder_;
+  test::Scratch scratch_;
+  std::filesystem::path folder_ = scratch_.folder();
   Scene scene_;
   SimulatedScene result_;
 };

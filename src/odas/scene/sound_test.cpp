@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 #include <sndfile.h>
-#include <unistd.h>
 
 #include "odas/base/error.hpp"
 #include "odas/scene/activity.hpp"
@@ -17,12 +17,6 @@ namespace {
 
 class Sound : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("odas-sound-" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   /// 440 Hz on the first of two channels.
   std::filesystem::path write_tone(int rate) {
     const auto file = folder_ / "tone.wav";
@@ -39,7 +33,8 @@ class Sound : public ::testing::Test {
     return file;
   }
 
-  std::filesystem::path folder_;
+  test::Scratch scratch_;
+  std::filesystem::path folder_ = scratch_.folder();
 };
 
 TEST_F(Sound, First_channel_is_read_and_resampled) {

@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 #include <sndfile.hh>
 
@@ -20,11 +21,6 @@ constexpr const char* kTruth = R"({"fs":16000,"hop":128,"scene":{"seconds":0.02}
 
 class TruthFile : public ::testing::Test {
  protected:
-  TruthFile() { fs::create_directories(folder_); }
-  ~TruthFile() override {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
   void write(const char* text) const { std::ofstream(folder_ / "truth.json") << text; }
   void write_sound(const char* name, int channels, int rate) const {
     SndfileHandle wav((folder_ / name).string(), SFM_WRITE, SF_FORMAT_WAV | SF_FORMAT_PCM_16, channels, rate);
@@ -39,8 +35,8 @@ class TruthFile : public ::testing::Test {
     return {};
   }
 
-  fs::path folder_ =
-      fs::path(::testing::TempDir()) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  test::Scratch scratch_;
+  fs::path folder_ = scratch_.folder();
 };
 
 TEST_F(TruthFile, gives_directions_and_activity_by_hops) {
