@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas::test {
+namespace odas::test::tree_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -233,4 +233,4 @@ TEST(Files, name_no_place_of_one_machine_and_leave_nothing_to_do) {
 }
 
 }  // namespace
-}  // namespace odas::test
+}  // namespace odas::test::tree_test

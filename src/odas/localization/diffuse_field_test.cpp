@@ -8,7 +8,7 @@
 #include "support/plane_wave.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::diffuse_field_test {
 namespace {
 
 constexpr std::size_t kFrame = 256;
@@ -64,4 +64,4 @@ TEST(DiffuseField, Leaves_directional_microphones_alone) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::diffuse_field_test

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
-namespace odas {
+namespace odas::kernels_test {
 namespace {
 
 /// Every test runs with every instruction set that this machine has.
@@ -110,4 +110,4 @@ INSTANTIATE_TEST_SUITE_P(Targets, Kernels, ::testing::ValuesIn(hwy::SupportedAnd
                          [](const auto& target) { return std::string(hwy::TargetName(target.param)); });
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::kernels_test

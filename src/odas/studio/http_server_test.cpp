@@ -11,7 +11,7 @@
 #include "odas/base/error.hpp"
 #include "odas/studio/server.hpp"
 
-namespace odas {
+namespace odas::http_server_test {
 namespace {
 
 using nlohmann::json;
@@ -331,4 +331,4 @@ TEST(StudioServer, says_why_it_cannot_listen) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::http_server_test
