@@ -17,7 +17,7 @@ import urllib.request
 
 TREE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 BUILD, SECONDS = sys.argv[1], float(sys.argv[2]) if len(sys.argv) > 2 else 20
-LIVE = {"hops": 60, "meters": 10, "health": 1, "log": 1, "recordings": 2, "events": 1, "transcripts": 1}
+LIVE = {"hops": 60, "meters": 10, "health": 1, "beams": 2, "log": 2, "recordings": 2, "events": 10, "transcripts": 5}
 HEARD = [{"stream": "separated", "track": 1}]
 
 

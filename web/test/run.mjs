@@ -5,9 +5,9 @@ import { readdirSync, rmSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
-import { chromium } from "playwright-core";
 
 import { buildPage } from "../build.mjs";
+import { launchServer } from "./support/chromium.mjs";
 
 const root = join(dirname(fileURLToPath(import.meta.url)), "..");
 const out = join(root, ".test");
@@ -47,10 +47,7 @@ const files = [
   ...daemon.map((name) => join(root, "test/e2e", name)),
 ];
 
-const server = await chromium.launchServer({
-  executablePath: process.env.ODAS_CHROMIUM ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--autoplay-policy=no-user-gesture-required"],
-});
+const server = await launchServer();
 const tests = await run(process.execPath, ["--test", "--test-concurrency=2", ...files], {
   ODAS_BROWSER: server.wsEndpoint(),
   ODAS_DIST: join(out, "dist"),

@@ -6,7 +6,7 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 import { buildPage } from "../build.mjs";
-import { launch } from "./support/browser.mjs";
+import { launch } from "./support/chromium.mjs";
 import { audio, direction, track } from "./support/fixtures.mjs";
 import { sessionFile } from "./support/mcap.mjs";
 import { emptyDaemon, fullDaemon, sendFigures, serveFiles } from "./support/scenes.mjs";

@@ -7,6 +7,11 @@ namespace odas {
 
 namespace {
 
+std::uint64_t steady_ns() noexcept {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return static_cast<std::uint64_t>(std::chrono::nanoseconds(now).count());
+}
+
 /// Until nothing of the sound before a gap is left in frames, overlaps and filters.
 std::uint64_t run_out_hops(const Configuration& config) {
   const SizeConfig& size = config.pipeline.general.size;
@@ -36,6 +41,7 @@ HopLoop::HopLoop(const Configuration& config, std::size_t channels, int source_r
       pipelines_(pipelines),
       hop_(pipeline.mics(), pipeline.hop_size()) {
   ODAS_EXPECT(front_end_.mics() == pipeline.mics());
+  pipeline_.time_stages(&steady_ns);
 }
 
 Metrics HopLoop::metrics() const noexcept {
@@ -43,6 +49,7 @@ Metrics HopLoop::metrics() const noexcept {
   metrics.hops = hops_;
   metrics.skipped_hops = skipped_hops_;
   metrics.hop_time = hop_time_;
+  metrics.stage_times = pipeline_.stage_times();
   metrics.sound_seconds = static_cast<double>(hops_) * static_cast<double>(pipeline_.hop_size()) /
                           static_cast<double>(pipeline_.sample_rate());
   metrics.non_finite_samples = front_end_.non_finite_samples() + pipeline_.non_finite_samples();

@@ -2,6 +2,7 @@
 #include "odas/engine/hop_loop.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "support/allocation_counter.hpp"
 #include "support/fake_io.hpp"
@@ -25,6 +26,10 @@ TEST(HopLoop, gives_a_result_for_each_hop_and_counts_them) {
   EXPECT_EQ(loop.metrics().hops, 4U);
   EXPECT_DOUBLE_EQ(loop.metrics().sound_seconds, 4 * 0.008);
   EXPECT_GT(loop.metrics().hop_time.total().count(), 0);
+  const StageTimes stages = loop.metrics().stage_times;
+  EXPECT_GT(stages[static_cast<std::size_t>(Stage::localization)], 0U);
+  EXPECT_LE(std::accumulate(stages.begin(), stages.end(), std::uint64_t{0}),
+            static_cast<std::uint64_t>(loop.metrics().hop_time.total().count()));
 }
 
 TEST(HopLoop, goes_on_in_silence_until_the_last_sound_has_come_out) {

@@ -30,6 +30,7 @@ HopRecord::HopRecord(const Wanted& wanted, const PipelineConfig& config, std::si
   if (wanted.postfiltered) postfiltered_ = Grid<float>(slots, hop);
   if (wanted.mics) mics_ = Grid<float>(config.general.mics.size(), hop);
   if (wanted.power_map) power_.resize(power_directions);
+  if (wanted.reports) reports_.resize(slots);
 }
 
 void HopRecord::assign(const HopResult& hop) noexcept {
@@ -40,10 +41,12 @@ void HopRecord::assign(const HopResult& hop) noexcept {
   copy(hop.postfiltered, postfiltered_);
   copy(hop.mics, mics_);
   copy(hop.power, power_);
+  copy(hop.reports, reports_);
 }
 
 HopResult HopRecord::view() const noexcept {
-  return {time_, potentials_, tracks_, separated_.view(), postfiltered_.view(), mics_.view(), power_};
+  return {time_,        potentials_, tracks_, separated_.view(), postfiltered_.view(),
+          mics_.view(), power_,      reports_};
 }
 
 }  // namespace odas

@@ -27,6 +27,7 @@ class HopRecord {
   Grid<float> postfiltered_;
   Grid<float> mics_;
   std::vector<float> power_;
+  std::vector<BeamReport> reports_;
 };
 
 }  // namespace odas

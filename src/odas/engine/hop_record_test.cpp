@@ -37,9 +37,9 @@ TEST(HopRecord, holds_a_copy_of_what_is_wanted) {
   EXPECT_EQ(view.postfiltered[1][5], hop.postfiltered[1][5]);
 }
 
-TEST(HopRecord, holds_microphones_and_power_map_where_they_are_wanted) {
+TEST(HopRecord, holds_microphones_power_map_and_reports_where_they_are_wanted) {
   const PipelineConfig config = test::small_configuration().pipeline;
-  HopRecord record({.mics = true, .power_map = true}, config, 3);
+  HopRecord record({.mics = true, .power_map = true, .reports = true}, config, 3);
   const Grid<float> mics =
       test::noise(config.general.mics.size(), static_cast<std::size_t>(config.general.size.hop_size));
   const std::vector<float> power{0.1F, 0.2F, 0.3F};
@@ -47,9 +47,14 @@ TEST(HopRecord, holds_microphones_and_power_map_where_they_are_wanted) {
   HopResult result = hop.result(1);
   result.mics = mics;
   result.power = power;
+  std::vector<BeamReport> reports(config.sst.slots());
+  reports[1] = {12, 5, 20, 42};
+  result.reports = reports;
   record.assign(result);
   EXPECT_EQ(record.view().mics[1][7], mics[1][7]);
   EXPECT_TRUE(std::equal(power.begin(), power.end(), record.view().power.begin()));
+  EXPECT_EQ(record.view().reports[1].id, 42U);
+  EXPECT_EQ(record.view().reports[1].snr_db, 12);
 }
 
 TEST(HopRecord, has_no_room_for_what_nobody_wants) {

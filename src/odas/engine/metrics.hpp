@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "odas/pipeline/stage_watch.hpp"
+
 namespace odas {
 
 /// How long hops took: a histogram of fixed size, four bins an octave from 1 us on, so that a quantile is
@@ -32,6 +34,7 @@ struct Metrics {
   std::uint64_t hops = 0;
   double sound_seconds = 0;              // of sound processed
   TimeHistogram hop_time;                // of the engine's thread
+  StageTimes stage_times{};              // of the same
   std::uint64_t dropped_hops = 0;        // that a sink was too slow for
   std::uint64_t lost_records = 0;        // hops (of audio: blocks) that the peers of outputs did not get
   std::uint64_t overruns = 0;            // blocks of a live source that the engine was too slow for

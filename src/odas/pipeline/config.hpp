@@ -23,6 +23,7 @@ struct Wanted {
   // Asked for expressly, too:
   bool mics = false;       // the microphones themselves, as the pipeline heard them
   bool power_map = false;  // the energy of every direction of the coarsest grid
+  bool reports = false;    // of the beams
 
   friend bool operator==(const Wanted&, const Wanted&) = default;
 };

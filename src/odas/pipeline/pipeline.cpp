@@ -57,6 +57,8 @@ struct Pipeline::Parts {
   std::size_t mics, hop_size, frame_size, voice_frame;
   int sample_rate;
 
+  StageWatch watch;
+
   // The stages; those that nobody needs are absent
   InputGuard guard;
   Stft stft;
@@ -149,19 +151,24 @@ HopResult Pipeline::process_hop(GridView<const float> mics) noexcept {
   Parts& p = *parts_;
   ODAS_EXPECT(mics.rows() == p.mics && mics.cols() == p.hop_size);
   ++p.time;
+  p.watch.begin();
   const GridView<const float> heard = p.guard.pass(mics);
   const GridView<cfloat> kept = p.lookback.begin_hop();
   const GridView<cfloat> spectra = p.voice_stft ? p.spectra.view() : kept;
   p.stft.analyse(heard, spectra);
   if (p.voice_stft) p.voice_stft->analyse(heard, kept);
+  p.watch.spent_on(Stage::transform);
   if (p.noise) p.noise->update(spectra);
   if (p.voice_noise) p.voice_noise->update(kept);
   const GridView<const float> noise_psd = p.noise ? p.noise->psd() : GridView<const float>();
   const GridView<const float> voice_psd = p.voice_noise ? p.voice_noise->psd() : noise_psd;
+  p.watch.spent_on(Stage::noise);
   if (p.localizer) p.localizer->locate(spectra, noise_psd, p.potentials);
   p.muting.hush(p.potentials);
+  p.watch.spent_on(Stage::localization);
   if (p.tracker) p.tracker->update(p.potentials, p.tracks);
   p.muting.hush(p.tracks);
+  p.watch.spent_on(Stage::tracking);
 
   // Voices are heard as they were some hops ago, by what is known now.
   const GridView<const cfloat> then = p.lookback.spectra();
@@ -169,13 +176,21 @@ HopResult Pipeline::process_hop(GridView<const float> mics) noexcept {
   if (p.known_noise) p.known_noise->update(then, anybody_speaks(voices));
   if (p.beamformer) p.beamformer->separate(then, voices, p.beams);
   if (p.time % kReportHops == 0) {
-    for (std::size_t s = 0; s < p.reports.size(); ++s) p.reports[s] = p.beamformer->report(s);
+    for (std::size_t s = 0; s < p.reports.size(); ++s) {
+      p.reports[s] = voices[s].id != 0 ? p.beamformer->report(s) : BeamReport{};
+      p.reports[s].id = voices[s].id;
+    }
   }
+  p.watch.spent_on(Stage::separation);
   if (p.separated_istft) p.separated_istft->synthesise(p.beams, p.separated);
+  p.watch.spent_on(Stage::synthesis);
   if (p.classifier) p.classifier->classify(p.separated, p.tracks);
+  p.watch.spent_on(Stage::classification);
   if (p.post_filter) {
     p.post_filter->apply(then, voice_psd, voices, *p.beamformer, p.beams, p.filtered);
+    p.watch.spent_on(Stage::post_filter);
     p.postfiltered_istft->synthesise(p.filtered, p.postfiltered);
+    p.watch.spent_on(Stage::synthesis);
   }
   HopResult result{p.time, p.potentials, p.tracks, p.separated, p.postfiltered};
   result.reports = p.reports;
@@ -194,6 +209,9 @@ std::size_t Pipeline::unfollowed_targets() const noexcept {
   return parts_->tracker ? parts_->tracker->unfollowed_targets() : 0;
 }
 
+void Pipeline::time_stages(StageWatch::Clock clock) noexcept { parts_->watch.use(clock); }
+const StageTimes& Pipeline::stage_times() const noexcept { return parts_->watch.times(); }
+
 bool Pipeline::can_continue(const Pipeline& before) const noexcept {
   const Parts& p = *parts_;
   const Parts& b = *before.parts_;
@@ -208,6 +226,7 @@ void Pipeline::continue_from(Pipeline& before) noexcept {
   Parts& p = *parts_;
   Parts& b = *before.parts_;
   p.time = b.time;
+  p.watch = b.watch;
   std::swap(p.guard, b.guard);
   std::swap(p.stft, b.stft);
   std::swap(p.voice_stft, b.voice_stft);

@@ -6,6 +6,7 @@
 
 #include "odas/array/types.hpp"
 #include "odas/pipeline/config.hpp"
+#include "odas/pipeline/stage_watch.hpp"
 #include "odas/separation/beam_report.hpp"
 #include "odas/tracking/target.hpp"
 
@@ -59,7 +60,13 @@ class Pipeline {
   /// muted directions go on; only what the configurations say otherwise is otherwise. Allocates nothing.
   void continue_from(Pipeline& before) noexcept;
 
-  /// The state after construction, exactly.
+  /// From the next hop on, times of the stages are taken by `clock`, which is read within the hop; nullptr:
+  /// they are not.
+  void time_stages(StageWatch::Clock clock) noexcept;
+  /// Of all hops so far, those of a pipeline whose place it took as well.
+  [[nodiscard]] const StageTimes& stage_times() const noexcept;
+
+  /// The state after construction, exactly; but for the times of the stages, which go on.
   void reset() noexcept;
 
   [[nodiscard]] std::size_t mics() const noexcept;

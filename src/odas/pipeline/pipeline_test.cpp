@@ -92,6 +92,10 @@ TEST(Pipeline, Locates_follows_and_separates_a_source) {
     EXPECT_LT(angle_deg(result.tracks[0].direction, u), 6);
     EXPECT_NEAR(power(result.separated[0]), 0.01F, 0.004F) << "unit gain towards the source";
     EXPECT_EQ(power(result.separated[1]), 0);
+    if (result.time != 60) continue;
+    EXPECT_EQ(result.reports[0].id, result.tracks[0].id) << "the report is about this voice";
+    EXPECT_TRUE(std::isfinite(result.reports[0].white_noise_gain_db));
+    EXPECT_EQ(result.reports[1].id, 0U);
   }
 }
 

@@ -36,10 +36,11 @@ class Beamformer {
   /// none.
   [[nodiscard]] virtual std::span<const float> mask(std::size_t /*slot*/) const noexcept { return {}; }
 
-  /// How well it goes, for a slot that lives.
-  [[nodiscard]] virtual BeamReport report(std::size_t /*slot*/) const noexcept {
+  /// How well it goes, for a slot that lives. What is not said otherwise: nothing but the gain of the
+  /// weights.
+  [[nodiscard]] virtual BeamReport report(std::size_t slot) const noexcept {
     constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-    return {kUnknown, kUnknown, kUnknown};
+    return {kUnknown, white_noise_gain_db(weights(slot)), kUnknown};
   }
 
   /// The state after construction, exactly.

@@ -23,6 +23,26 @@ void put_level(std::string& to, float db) { fmt::format_to(std::back_inserter(to
 
 }  // namespace
 
+std::string beams_text(const HopRing::Beams& beams) {
+  std::string text;
+  const auto put = [&](float db) {
+    text += ',';
+    if (std::isfinite(db)) {
+      put_level(text, db);
+    } else {
+      text += "null";
+    }
+  };
+  for (const auto& [slot, report] : beams.beams) {
+    fmt::format_to(std::back_inserter(text), "{}[{},{}", text.empty() ? "" : ",", slot, report.id);
+    put(report.snr_db);
+    put(report.white_noise_gain_db);
+    put(report.condition_db);
+    text += ']';
+  }
+  return text;
+}
+
 ClientFeed::ClientFeed(const HopRing& ring, std::function<std::string(std::uint64_t)> health)
     : ring_(ring), health_(std::move(health)) {}
 
@@ -87,6 +107,7 @@ std::optional<WireMessage> ClientFeed::next(Clock::time_point now) {
   if (auto message = try_topic("hops", [&] { return hops(); })) return message;
   if (auto message = try_topic("meters", [&] { return meters(); })) return message;
   if (auto message = try_topic("power", [&] { return power(); })) return message;
+  if (auto message = try_topic("beams", [&] { return beams(); })) return message;
   return try_topic("health", [&] { return std::optional(text_of(health_(lost_))); });
 }
 
@@ -103,7 +124,7 @@ void ClientFeed::meet_run() {
   info_ = ring_.run();
   run_ = info_ ? info_->run : 0;
   readings_ = 0;
-  power_time_ = 0;
+  power_time_ = beams_time_ = 0;
   sound_.clear();
   for (Voice& voice : voices_) voice = Voice{voice.wanted};
 }
@@ -165,6 +186,14 @@ std::optional<WireMessage> ClientFeed::power() {
     bytes += static_cast<char>(static_cast<unsigned char>(std::clamp(energy / scale, 0.0F, 1.0F) * 255));
   }
   return WireMessage{true, std::make_shared<const std::string>(std::move(bytes))};
+}
+
+std::optional<WireMessage> ClientFeed::beams() {
+  const HopRing::Beams beams = ring_.beams();
+  if (beams.time == beams_time_) return std::nullopt;
+  beams_time_ = beams.time;
+  return text_of(
+      fmt::format(R"({{"type":"beams","run":{},"t":{},"beams":[{}]}})", run_, beams.time, beams_text(beams)));
 }
 
 void ClientFeed::read_audio() {

@@ -20,6 +20,9 @@ struct WireMessage {
   std::shared_ptr<const std::string> bytes;
 };
 
+/// `[SLOT,ID,SNR,GAIN,CONDITION],...`: of each beam in dB, null where it is not known.
+[[nodiscard]] std::string beams_text(const HopRing::Beams& beams);
+
 /// All that one client is still to get, and in which order: answers and announcements, then sound, then hops
 /// and the rest, each when it is due. Nothing waits here but texts: hops and sound are read from the ring at
 /// the moment when they can be sent, so that a client who is slow loses the oldest, is told so, and costs no
@@ -65,6 +68,7 @@ class ClientFeed {
   [[nodiscard]] std::optional<WireMessage> hops();
   [[nodiscard]] std::optional<WireMessage> meters();
   [[nodiscard]] std::optional<WireMessage> power();
+  [[nodiscard]] std::optional<WireMessage> beams();
 
   const HopRing& ring_;
   std::function<std::string(std::uint64_t)> health_;
@@ -78,7 +82,7 @@ class ClientFeed {
   std::map<std::string, Clock::time_point> due_;
   std::uint64_t next_hop_ = 0, next_sound_ = 0;  // numbers in the ring
   std::uint64_t readings_ = 0;
-  HopIndex power_time_ = 0;
+  HopIndex power_time_ = 0, beams_time_ = 0;
   std::uint64_t lost_ = 0;
 };
 

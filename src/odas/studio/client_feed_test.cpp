@@ -170,6 +170,21 @@ TEST_F(ClientFeedTest, loses_old_announcements_but_no_answers) {
   EXPECT_EQ(feed.lost(), 2001 - ClientFeed::kMostTexts);
 }
 
+TEST_F(ClientFeedTest, sends_what_the_beamformer_says_of_each_voice) {
+  subscribe({{"topics", {{"beams", 10}}}});
+  EXPECT_TRUE(all().empty());
+  test::HopOfHand empty;
+  HopResult result = empty.result(12);
+  const float unknown = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<BeamReport> reports{{}, {14.26F, -3.0F, 20.0F, 7}, {unknown, 6.0F, unknown, 9}};
+  result.reports = reports;
+  ring.hop(result);
+  const auto messages = all();
+  ASSERT_EQ(messages.size(), 1U) << "once, until there is something new";
+  EXPECT_EQ(messages[0].at("t"), 12);
+  EXPECT_EQ(messages[0].at("beams").dump(), "[[1,7,14.3,-3.0,20.0],[2,9,null,6.0,null]]");
+}
+
 TEST_F(ClientFeedTest, sends_meters_power_and_health_when_they_are_due) {
   subscribe({{"topics", {{"meters", 10}, {"power", 5}, {"health", 1}}}});
   EXPECT_EQ(all(), (std::vector<json>{{{"type", "health"}, {"lost", 0}}}));

@@ -155,7 +155,15 @@ json ClientHall::hello(Role role) const {
   return message;
 }
 
-std::string ClientHall::health(std::uint64_t lost) const {
+std::string ClientHall::health(std::uint64_t lost) const { return text_of(health_message(lost)); }
+
+json ClientHall::figures() const {
+  json all = health_message(0);
+  all["beams"] = json::parse("[" + beams_text(ring_.beams()) + "]");
+  return all;
+}
+
+json ClientHall::health_message(std::uint64_t lost) const {
   json message = hooks_.health ? hooks_.health() : json::object();
   message["type"] = "health";
   message["clients"] = clients_.size();
@@ -167,7 +175,7 @@ std::string ClientHall::health(std::uint64_t lost) const {
     const std::chrono::duration<double> late = pulse.came - run->at(pulse.time + 1);
     if (run->kind != StreamInfo::Kind::recording) message["latency"] = std::max(0.0, late.count());
   }
-  return text_of(message);
+  return message;
 }
 
 void ClientHall::update_demand() {

@@ -56,6 +56,8 @@ class ClientHall {
   /// Messages that are asked for by HTTP, too.
   [[nodiscard]] nlohmann::json hello(Role role) const;
   [[nodiscard]] std::string health(std::uint64_t lost) const;
+  /// `health`, and `beams` of the message of that name.
+  [[nodiscard]] nlohmann::json figures() const;
 
  private:
   using Client = std::shared_ptr<StudioClient>;
@@ -65,6 +67,7 @@ class ClientHall {
   void remember(const std::string& topic, const nlohmann::json& message);
   void tell_known(const Client& client, const std::string& topic) const;
   void update_demand();
+  [[nodiscard]] nlohmann::json health_message(std::uint64_t lost) const;
 
   static constexpr int kMostCommands = 32;       // of a client, that wait to be carried out
   static constexpr std::size_t kLogLines = 200;  // that newcomers are told

@@ -36,6 +36,7 @@ void HopRing::begin(const StreamInfo& info) {
   meters_ = MicMeters(info.mics.size(), info.sample_rate);
   reading_ = {};
   power_ = {};
+  beams_ = {};
   pulse_ = {};
 }
 
@@ -79,7 +80,17 @@ void HopRing::hop(const HopResult& hop) {
     power_.time = hop.time;
     power_.energy.assign(hop.power.begin(), hop.power.end());
   }
+  note_beams(hop);
   pulse_ = {hop.time, std::chrono::system_clock::now()};
+}
+
+void HopRing::note_beams(const HopResult& hop) {
+  if (hop.reports.empty()) return;
+  beams_.time = hop.time;
+  beams_.beams.clear();
+  for (std::size_t slot = 0; slot < hop.reports.size(); ++slot) {
+    if (hop.reports[slot].id != 0) beams_.beams.push_back({slot, hop.reports[slot]});
+  }
 }
 
 void HopRing::drop_old() {
@@ -127,6 +138,11 @@ HopIndex HopRing::power(Power& to) const {
   const std::lock_guard lock(mutex_);
   to = power_;
   return power_.time;
+}
+
+HopRing::Beams HopRing::beams() const {
+  const std::lock_guard lock(mutex_);
+  return beams_;
 }
 
 HopRing::Pulse HopRing::pulse() const {

@@ -68,6 +68,16 @@ class HopRing final : public HopListener {
   /// The newest, and its number, from 1; 0: none yet.
   [[nodiscard]] std::uint64_t meters(MeterReading& to) const;
   [[nodiscard]] HopIndex power(Power& to) const;
+  /// What the beamformer said last of each voice: those of slots with a voice, in their order.
+  struct Beams {
+    HopIndex time = 0;
+    struct Beam {
+      std::size_t slot = 0;
+      BeamReport report;
+    };
+    std::vector<Beam> beams;
+  };
+  [[nodiscard]] Beams beams() const;
   /// When the newest hop came, and what it was.
   struct Pulse {
     HopIndex time = 0;
@@ -77,6 +87,7 @@ class HopRing final : public HopListener {
 
  private:
   void drop_old();
+  void note_beams(const HopResult& hop);
 
   mutable std::mutex mutex_;
   std::optional<StreamInfo> info_;
@@ -89,6 +100,7 @@ class HopRing final : public HopListener {
   MeterReading reading_;
   std::uint64_t readings_ = 0;
   Power power_;
+  Beams beams_;
   Pulse pulse_;
 };
 

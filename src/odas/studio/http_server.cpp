@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <boost/asio/ip/host_name.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "odas/base/error.hpp"
-#include "odas/base/host.hpp"
 #include "odas/engine/signals_blocked.hpp"
 #include "odas/studio/http_session.hpp"
+#include "odas/studio/web_policy.hpp"
 
 namespace odas {
 namespace {
@@ -16,38 +15,6 @@ using Error = boost::system::error_code;
 using nlohmann::json;
 
 constexpr auto kTick = std::chrono::microseconds(16667);
-
-std::string token_of(const StudioConfig& config) {
-  if (!config.token.empty() || is_loopback_host(config.ip)) return config.token;
-  return random_token();
-}
-
-std::vector<std::string> names_of(const StudioConfig& config) {
-  std::vector<std::string> names = config.hosts;
-  if (!config.ip.empty()) names.push_back(config.ip);
-  Error error;
-  const std::string own = asio::ip::host_name(error);
-  if (!error && !own.empty()) names.insert(names.end(), {own, own + ".local"});
-  return names;
-}
-
-/// `http://camera:8080`, of any address there.
-std::string origin_of(const std::string& url) {
-  const std::size_t slashes = url.find("://");
-  if (slashes == std::string::npos) return "";
-  const std::string origin = url.substr(0, url.find('/', slashes + 3));
-  const bool clean = origin.find_first_of(" ;,'\"\r\n") == std::string::npos;
-  return clean ? origin : "";
-}
-
-std::string policy_of(const StudioConfig& config) {
-  return "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: "
-         "blob: " +
-         origin_of(config.camera.url) +
-         "; connect-src 'self'; media-src 'self' blob:; font-src 'self'; worker-src 'self'; manifest-src "
-         "'self'; "
-         "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
-}
 
 asio::ssl::context tls_of(const StudioConfig& config) {
   asio::ssl::context tls(asio::ssl::context::tls_server);
@@ -68,8 +35,8 @@ StudioServer::Body::Body(const StudioConfig& config, const RpcRegistry& rpc, std
     : config_(config),
       hooks_(std::move(hooks)),
       files_(std::move(files)),
-      content_policy_(policy_of(config)),
-      gate({(config_.token = token_of(config)), config.viewer_token}, names_of(config),
+      content_policy_(odas::content_policy(config)),
+      gate({(config_.token = operator_token(config)), config.viewer_token}, server_names(config),
            !config.certificate.empty()),
       hall(ring, rpc, commands_, hooks_,
            [this](std::function<void()> task) { asio::post(io_, std::move(task)); }) {
@@ -87,16 +54,8 @@ StudioServer::Body::~Body() {
 }
 
 std::string StudioServer::Body::url() const {
-  const std::string scheme = tls() ? "https" : "http";
-  std::string host = config_.ip.empty() ? "127.0.0.1" : config_.ip;
-  if (host == "0.0.0.0" || host == "::") {
-    Error error;
-    const std::string own = asio::ip::host_name(error);
-    host = error || own.empty() ? "127.0.0.1" : own;
-  }
-  if (host.find(':') != std::string::npos) host = "[" + host + "]";
   const std::string token = config_.token.empty() ? "" : "?token=" + config_.token;
-  return fmt::format("{}://{}:{}/{}", scheme, host, port_, token);
+  return fmt::format("{}://{}:{}/{}", tls() ? "https" : "http", link_host(config_), port_, token);
 }
 
 void StudioServer::Body::listen() {

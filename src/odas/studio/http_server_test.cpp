@@ -15,6 +15,7 @@ TEST_F(ServerTest, makes_a_token_where_a_network_can_come) {
   config.ip = "0.0.0.0";
   const StudioServer& open = serve(config);
   EXPECT_NE(open.url().find("?token="), std::string::npos);
+  EXPECT_EQ(open.url().find("0.0.0.0"), std::string::npos) << "a link leads to an address";
   EXPECT_EQ(http_get(open.port(), "/").status, 401);
 }
 

@@ -37,6 +37,42 @@ constexpr std::array kFigures{
     Figure{"latency", "odas_latency_seconds", "gauge", 1, "From the microphones to the page's server."},
 };
 
+constexpr std::array kBeamFigures{
+    Figure{"", "odas_beam_snr_decibels", "gauge", 1, "Of each beam: its talker against all else."},
+    Figure{"", "odas_beam_white_noise_gain_decibels", "gauge", 1, "Of each beam, against white noise."},
+    Figure{"", "odas_beam_condition_decibels", "gauge", 1, "Of the covariance that each beam is made of."},
+};
+
+std::string head_of(const Figure& figure) {
+  return fmt::format("# HELP {0} {1}\n# TYPE {0} {2}\n", figure.name, figure.meaning, figure.kind);
+}
+
+std::string stages_text(const nlohmann::json& stages) {
+  if (stages.empty()) return "";
+  const Figure figure{"", "odas_stage_seconds", "gauge", 1e-6, "Time that a stage takes of a hop, mean."};
+  std::string text = head_of(figure);
+  for (const auto& stage : stages) {
+    text += fmt::format("{}{{stage=\"{}\"}} {}\n", figure.name, stage.at(0).get<std::string>(),
+                        stage.at(1).get<double>() * figure.factor);
+  }
+  return text;
+}
+
+std::string beams_text(const nlohmann::json& beams) {
+  std::string text;
+  for (std::size_t f = 0; f < kBeamFigures.size(); ++f) {
+    std::string lines;
+    for (const auto& beam : beams) {
+      const auto& value = beam.at(2 + f);
+      if (!value.is_number()) continue;
+      lines += fmt::format("{}{{slot=\"{}\"}} {}\n", kBeamFigures[f].name, beam.at(0).get<int>(),
+                           value.get<double>());
+    }
+    if (!lines.empty()) text += head_of(kBeamFigures[f]) + lines;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string metrics_text(const nlohmann::json& health) {
@@ -44,10 +80,10 @@ std::string metrics_text(const nlohmann::json& health) {
   for (const Figure& figure : kFigures) {
     const auto found = health.find(figure.key);
     if (found == health.end() || !found->is_number()) continue;
-    text += fmt::format("# HELP {0} {1}\n# TYPE {0} {2}\n{0} {3}\n", figure.name, figure.meaning, figure.kind,
-                        found->get<double>() * figure.factor);
+    text += head_of(figure) + fmt::format("{} {}\n", figure.name, found->get<double>() * figure.factor);
   }
-  return text;
+  const auto nothing = nlohmann::json::array();
+  return text + stages_text(health.value("stages", nothing)) + beams_text(health.value("beams", nothing));
 }
 
 }  // namespace odas

@@ -7,7 +7,9 @@
 
 namespace odas {
 
-/// The figures of a `health` message as Prometheus reads them. Those that are absent or null are left out.
+/// The figures of a `health` message, and of a `beams` message beside them, as Prometheus reads them. Those
+/// that are absent or null are left out. Of beams, the label is the slot: ids are never used again, and would
+/// pile up.
 [[nodiscard]] std::string metrics_text(const nlohmann::json& health);
 
 }  // namespace odas

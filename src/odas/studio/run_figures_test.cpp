@@ -22,6 +22,15 @@ TEST(RunFigures, follow_the_run) {
   run->lost_records = 7;
   figures.begin(run);
   EXPECT_EQ(figures.read().at("lost_records"), 7);
+  EXPECT_TRUE(figures.read().at("stages").empty());
+
+  Metrics engine;
+  engine.hops = 10;
+  engine.stage_times[static_cast<std::size_t>(Stage::noise)] = 250;  // ns: nothing but looks at the clock
+  engine.stage_times[static_cast<std::size_t>(Stage::localization)] = 420'000;
+  engine.stage_times[static_cast<std::size_t>(Stage::separation)] = 73'000;
+  run->engine.note_engine(engine);
+  EXPECT_EQ(figures.read().at("stages").dump(), R"([["localization",42.0],["separation",7.3]])");
 }
 
 }  // namespace

@@ -26,6 +26,8 @@ namespace odas {
 /// With a request, and with who takes nothing.
 inline constexpr std::chrono::seconds kBrowserPatience{10};
 
+/// What listens, and what all connections share. Everything happens in its thread, but for commands and the
+/// search for files.
 class StudioServer::Body {
  public:
   using Tcp = boost::asio::ip::tcp;

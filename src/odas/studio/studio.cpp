@@ -10,7 +10,6 @@
 #include "odas/studio/config_commands.hpp"
 #include "odas/studio/engine_commands.hpp"
 #include "odas/studio/engine_host.hpp"
-#include "odas/studio/own_address.hpp"
 #include "odas/studio/own_file.hpp"
 #include "odas/studio/records.hpp"
 #include "odas/studio/server.hpp"
@@ -122,15 +121,7 @@ class Studio::Body {
 
   [[nodiscard]] const StudioServer& server() const { return *server_; }
   [[nodiscard]] EngineHost::Status status() const { return host_.status(); }
-  /// One that others can go to: an address, where all are listened at, for names are not known to every
-  /// phone.
-  [[nodiscard]] std::string url() const {
-    std::string url = server_->url();
-    const std::string own = own_address(), &ip = options_.config.ip;
-    if (own.empty() || (ip != "0.0.0.0" && ip != "::")) return url;
-    const std::size_t host = url.find("://") + 3;
-    return url.replace(host, url.find(':', host) - host, own);
-  }
+  [[nodiscard]] std::string url() const { return server_->url(); }
 
  private:
   ServerHooks hooks() {

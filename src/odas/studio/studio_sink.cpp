@@ -7,7 +7,7 @@ namespace odas {
 
 Wanted StudioSink::wanted() const noexcept {
   Wanted all;
-  all.categories = all.mics = all.power_map = true;
+  all.categories = all.mics = all.power_map = all.reports = true;
   return all;
 }
 

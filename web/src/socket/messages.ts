@@ -87,6 +87,15 @@ export interface Meters {
   mics: [number | null, number | null, number?, number?][];
 }
 
+/** Decibels; null: the method of separation does not know. */
+export interface Beams {
+  type: "beams";
+  run?: number;
+  t?: number;
+  /** [slot, track, SNR, white-noise gain, condition] */
+  beams: [number, number, (number | null)?, (number | null)?, (number | null)?][];
+}
+
 export interface Health {
   type: "health";
   hops?: number;
@@ -187,6 +196,7 @@ export type Message =
   | Hops
   | Gap
   | Meters
+  | Beams
   | Health
   | Engine
   | Log
@@ -212,6 +222,7 @@ export interface Topics {
   health?: number;
   log?: number;
   power?: number;
+  beams?: number;
   recordings?: number;
   events?: number;
   transcripts?: number;

@@ -13,7 +13,7 @@ export function waitBefore(attempt: number, random = Math.random()): number {
   return Math.min(kLongestWait, kFirstWait * 2 ** (attempt - 1)) * (0.75 + 0.5 * random);
 }
 
-const kTopics: Topics = { hops: 60, meters: 10, health: 1, log: 2, recordings: 2, events: 10, transcripts: 5 };
+const kTopics: Topics = { hops: 60, meters: 10, health: 1, beams: 2, log: 2, recordings: 2, events: 10, transcripts: 5 };
 
 export class Connection {
   readonly rpc = new Rpc((text) => this.send(text));

@@ -5,6 +5,7 @@ import { batch, computed, signal } from "@preact/signals";
 import type { PowerMap } from "../socket/binary";
 import type {
   ActiveRecording,
+  Beams,
   Engine,
   Happening,
   Health,
@@ -24,6 +25,13 @@ import { TrackTable, type Track } from "./tracks";
 /** `live`: hops come. `stale`: none for a second. `offline`: no connection. `still`: connected, and the engine does not run. */
 export type Link = "connecting" | "live" | "stale" | "offline" | "still";
 
+/** What separation says of a voice, dB. */
+export interface Beam {
+  snr: number | null;
+  gain: number | null;
+  condition: number | null;
+}
+
 const kLogLines = 400;
 const kSlots = 4;
 const kPotentials = 4;
@@ -40,6 +48,8 @@ export class Store {
   readonly stale = signal(false);
   readonly health = signal<Health | null>(null);
   readonly meters = signal<Meters | null>(null);
+  /** By track. */
+  readonly beams = signal<ReadonlyMap<number, Beam>>(new Map());
   readonly log = signal<LogLine[]>([]);
   readonly recording = signal<ActiveRecording[]>([]);
   readonly diskFree = signal<number | null>(null);
@@ -119,6 +129,7 @@ export class Store {
       this.connected.value = false;
       this.meters.value = null;
       this.power.value = null;
+      this.beams.value = new Map();
       this.recording.value = [];
       this.pace.value = 0;
       this.endTracks();
@@ -136,6 +147,9 @@ export class Store {
         return;
       case "meters":
         this.meters.value = message;
+        return;
+      case "beams":
+        this.beams.value = beamsOf(message);
         return;
       case "health":
         this.health.value = message;
@@ -191,6 +205,7 @@ export class Store {
     this.tracks.clear();
     this.meters.value = null;
     this.power.value = null;
+    this.beams.value = new Map();
     this.health.value = null;
     this.transcripts.value = new Map();
     this.missed.value = 0;
@@ -223,6 +238,10 @@ export class Store {
     this.tracks.endAll(this.now);
     this.beat.value++;
   }
+}
+
+function beamsOf(message: Beams): ReadonlyMap<number, Beam> {
+  return new Map((message.beams ?? []).map(([, track, snr = null, gain = null, condition = null]) => [track, { snr, gain, condition }]));
 }
 
 /** Final texts stay; one that is not final gives way to the next. The last eight of each track are kept. */

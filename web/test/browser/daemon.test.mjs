@@ -62,10 +62,12 @@ async function recordVoice(page, bytes) {
   }
 }
 
-test("the page of the daemon shows its voices, and says when it is gone", options, async () => {
+test("the page of the daemon shows its voices, and says when it is gone", options, async (context) => {
   const daemon = await start();
+  const ready = performance.now();
   const { page, done } = await openPage(daemon, "live");
   await page.waitForSelector("[data-voice]");
+  context.diagnostic(`the first voice stood on the page ${Math.round(performance.now() - ready)} ms after the daemon was ready`);
   await page.waitForSelector('[data-state="live"]');
   await daemon.kill("SIGKILL");
   await page.waitForSelector('[data-state="offline"]');

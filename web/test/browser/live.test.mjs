@@ -4,7 +4,7 @@ import { test } from "node:test";
 
 import { pixelsOf, useStudio } from "../support/browser.mjs";
 import { FakeDaemon } from "../support/daemon.mjs";
-import { hello, kEngine, meters, power, run, track } from "../support/fixtures.mjs";
+import { beams, hello, kEngine, meters, power, run, track } from "../support/fixtures.mjs";
 import { noise, voices } from "../support/voices.mjs";
 
 const studio = useStudio();
@@ -251,6 +251,26 @@ test("a kiosk shows what is heard and no bars", async () => {
   const { page, done } = await open(1, { query: "?test=1&kiosk" });
   await page.waitForSelector('[data-voice="11"]');
   assert.equal(await page.locator(".topbar").count(), 0);
+  await done();
+});
+
+test("what separation says of a voice stands on its card, all of it where the voice is chosen", async () => {
+  const { page, daemon, done } = await open(2);
+  await page.waitForSelector('[data-voice="12"]');
+  assert.equal(daemon.subscription.topics.beams, 2);
+  const card = (id) => page.locator(`[data-voice="${id}"]`);
+  daemon.send(beams([[11, 14.2, 5.8, 21.4], [12, null, 6, null]]));
+  await card(11).getByText("SNR 14 dB").waitFor();
+  assert.equal(await card(11).getByText("Noise gain").count(), 0);
+  assert.equal(await card(12).getByText("SNR").count(), 0);
+  await card(11).locator(".card-head").click();
+  await card(11).getByText("Noise gain 5.8 dB").waitFor();
+  await card(11).getByText("Condition 21.4 dB").waitFor();
+  await card(12).locator(".card-head").click();
+  await card(12).getByText("Noise gain 6.0 dB").waitFor();
+  assert.equal(await card(12).getByText("Condition").count(), 0);
+  daemon.send(beams([]));
+  await page.waitForFunction(() => !document.body.textContent.includes("Noise gain"));
   await done();
 });
 

@@ -2,7 +2,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { kNoWebGL, pixelsOf, useStudio } from "../support/browser.mjs";
+import { pixelsOf, useStudio } from "../support/browser.mjs";
+import { kNoWebGL } from "../support/chromium.mjs";
 import { track } from "../support/fixtures.mjs";
 
 const studio = useStudio({ flags: kNoWebGL });

@@ -3,31 +3,21 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { test } from "node:test";
+import { after, test } from "node:test";
 
 import { useStudio } from "../support/browser.mjs";
-import { FakeDaemon } from "../support/daemon.mjs";
-import { noDaemon, startDaemon } from "../support/odas.mjs";
-import { bestDecibels, samplesOf } from "../support/sound.mjs";
+import { missing, startDaemon, temporaryFolder } from "../support/real_daemon.mjs";
+import { piecesAgainst, samplesOf } from "../support/sound.mjs";
 
 const studio = useStudio();
-// Its minute is for `make soak`; studio_sound_test holds the same over the protocol in `make test`.
-const skip = noDaemon || (process.env.ODAS_SOAK ? false : "a minute long: make soak runs it");
+const folder = temporaryFolder();
+after(() => folder.remove());
+
 const kRate = 16000;
-const kSeconds = 60;
-
-/** A page at a daemon of its own; `end` ends both. */
-async function open(options = {}) {
-  const daemon = await startDaemon(options.args);
-  const opened = await studio.open({ url: daemon.url, daemon: new FakeDaemon(), query: "?test=1", ...options });
-  const end = async (expected) => {
-    await opened.done(expected);
-    assert.equal(await daemon.stop(), 0);
-  };
-  return { ...opened, daemon, end };
-}
-
-const firstVoice = (page) => page.locator("[data-voice]").first();
+/** A minute in `make soak`. */
+const kSeconds = process.env.ODAS_SOAK ? 60 : 10;
+/** Other programs of this computer may take it away for longer than sound can wait: so often it is tried again. */
+const kTries = 3;
 
 /** One command to the daemon, by a connection of its own from within the page. */
 const call = (page, method, params) =>
@@ -47,9 +37,21 @@ const call = (page, method, params) =>
 
 const audio = (page) => page.evaluate(() => globalThis.odasTest.probes.audio());
 
-test("what is heard in the page is the recording of the same voice", { skip, timeout: 240000 }, async () => {
-  const { page, daemon, end } = await open();
-  await firstVoice(page).waitFor();
+/** Listens for `kSeconds` from now on: what was played, and how that went. */
+async function listen(page) {
+  await page.evaluate(() => globalThis.odasTest.probes.clearTap());
+  const before = (await audio(page)).report;
+  await page.waitForFunction((count) => globalThis.odasTest.probes.audio().report.played >= count, before.played + kRate * kSeconds, { timeout: 200000, polling: 200 });
+  const latency = Number.parseFloat(await page.locator("[data-latency]").first().textContent());
+  const { report } = await audio(page);
+  return { underruns: report.underruns - before.underruns, latency, heard: await page.evaluate(() => globalThis.odasTest.probes.tap()) };
+}
+
+test("what is heard in the page is the recording of the same voice", { skip: missing, timeout: 600000 }, async (context) => {
+  const daemon = await startDaemon({ recordings: folder.path });
+  // What is drawn small is drawn fast.
+  const { page, done } = await studio.open({ url: `http://127.0.0.1:${daemon.port}`, query: "?test=1", viewport: { width: 400, height: 500 } });
+  await page.waitForSelector("[data-voice]");
   // A fixed direction is followed for ever: the sources of the sample end with it.
   await call(page, "targets.set", { add: [{ tag: "desk", direction: [0.55, 0.66, 0.5] }] });
   const card = page.locator("[data-voice]", { hasText: "desk" }).first();
@@ -57,16 +59,19 @@ test("what is heard in the page is the recording of the same voice", { skip, tim
   const id = await card.getAttribute("data-voice");
   await card.getByRole("button", { name: "Record" }).first().click();
   await card.getByRole("button", { name: "Listen" }).click();
-  await page.waitForFunction((count) => globalThis.odasTest.probes.audio().report.played >= count, kRate * kSeconds, { timeout: 200000, polling: 200 });
-  const now = await audio(page);
-  const latency = await page.locator("[data-latency]").first().textContent();
-  const heard = await page.evaluate(() => globalThis.odasTest.probes.tap());
+  await page.waitForFunction(() => globalThis.odasTest.probes.audio().report.played > 0);
+  let now = await listen(page);
+  for (let tries = 1; now.underruns > 0 && tries < kTries; tries++) now = await listen(page);
   const list = await call(page, "record.stop", { all: true });
   const name = list.names.find((one) => one.includes(`source_${id}`));
   assert.ok(name, JSON.stringify(list));
-  const recorded = samplesOf(readFileSync(join(daemon.folder, name)));
-  const likeness = bestDecibels(heard, recorded, kRate / 2);
-  console.log(`heard in the page against the recording: SI-SDR ${likeness.toFixed(0)} dB, ${now.report.underruns} underruns in ${(now.report.played / kRate).toFixed(1)} s, latency said: ${latency.trim()}`);
-  assert.ok(likeness > 40, `${likeness} dB`);
-  await end();
+  const pieces = piecesAgainst(now.heard, samplesOf(readFileSync(join(folder.path, name))), kRate / 2).sort((a, b) => a - b);
+  const median = pieces[Math.floor(pieces.length / 2)];
+  context.diagnostic(`SI-SDR of ${pieces.length} half seconds: median ${median.toFixed(0)} dB, least ${pieces[0].toFixed(0)} dB; ${now.underruns} underruns; ${now.latency} ms behind`);
+  assert.ok(pieces.length >= 2 * kSeconds - 3, `${pieces.length} pieces`);
+  assert.ok(median > 40, `${median} dB`);
+  assert.equal(now.underruns, 0);
+  assert.ok(now.latency > 0 && now.latency < 250, `${now.latency} ms`);
+  await done();
+  assert.equal(await daemon.kill("SIGINT"), 0);
 });

@@ -4,24 +4,14 @@ import assert from "node:assert/strict";
 import { after, afterEach, before } from "node:test";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { chromium } from "playwright-core";
 
+import { connect, launch } from "./chromium.mjs";
 import { FakeDaemon } from "./daemon.mjs";
 import { serve } from "./server.mjs";
 
 const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
 
 export const kDist = process.env.ODAS_DIST ?? join(root, "dist");
-
-const kArguments = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--autoplay-policy=no-user-gesture-required"];
-
-/** Starts a browser with `flags` in place of software rendering, for what a shared one cannot show. */
-export function launch(flags = kArguments) {
-  return chromium.launch({ executablePath: process.env.ODAS_CHROMIUM ?? "/usr/bin/chromium", args: flags });
-}
-
-/** `--disable-gpu` and no software: WebGL is missing. */
-export const kNoWebGL = ["--no-sandbox", "--disable-gpu", "--disable-software-rasterizer"];
 
 /**
  * For a test file: `const studio = useStudio();`, then in each test `const { page, daemon, done } = await studio.open()`, at its end
@@ -40,7 +30,7 @@ export function useStudio({ flags } = {}) {
   });
   before(async () => {
     const shared = process.env.ODAS_BROWSER;
-    browser = shared && !flags ? await chromium.connect(shared) : await launch(flags);
+    browser = shared && !flags ? await connect(shared) : await launch(flags);
   });
   after(async () => {
     await browser?.close();

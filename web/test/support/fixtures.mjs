@@ -55,8 +55,13 @@ export function health(fields = {}) {
   return {
     type: "health", hops: 12000, hop_p50_us: 410, hop_p99_us: 890, hop_max_us: 2100, real_time_share: 0.051, dropped_hops: 0, lost_records: 0, overruns: 0,
     lost_frames: 0, clipped_samples: 0, cpu: 0.062, rss_bytes: 41e6, temperature: 48.5, clients: 1, client_dropped: 0, latency: 0.018,
-    stages: [["localization", 220], ["tracking", 40], ["separation", 150]], ...fields,
+    stages: [["transform", 18.4], ["noise", 6.2], ["localization", 190], ["tracking", 41], ["separation", 118], ["synthesis", 9.7], ["post_filter", 27]], ...fields,
   };
+}
+
+/** `all`: of each voice [track, SNR, white-noise gain, condition]. */
+export function beams(all) {
+  return { type: "beams", run: 1, t: 100, beams: all.map((beam, slot) => [slot, ...beam]) };
 }
 
 export function meters(mics = [[-38, -21, 0], [-37, -20, 0], [-39, -22, 0], [-38, -21, 0]]) {

@@ -18,20 +18,20 @@ export function temporaryFolder() {
 }
 
 /**
- * Resolves with `{url, token, port, kill(signal)}` once the daemon serves; `kill` resolves when it is gone. `listen` is where, by
- * default a port of the system's choice on this computer alone; `recordings` the folder of its recordings.
+ * Resolves with `{url, token, port, kill(signal)}` once the daemon serves; `kill` resolves with its exit code when it is gone. `listen`
+ * is where, by default a port of the system's choice on this computer alone; `recordings` the folder of its recordings.
  */
 export function startDaemon({ recordings, listen = "127.0.0.1:0", options = [] }) {
   const sample = join(tree, "samples/sample_4mic.flac");
   const child = spawn(program, [
     "studio", join(tree, "configs/sample.cfg"), "--play", sample, "--loop", "--listen", listen, "--recordings", recordings, "--no-qr", ...options,
   ]);
-  const gone = new Promise((resolve) => child.on("exit", resolve));
+  const gone = new Promise((resolve) => child.on("close", resolve));
   return new Promise((resolve, reject) => {
     let said = "";
     const read = (bytes) => {
       said += bytes;
-      const [, url] = /Studio: (http:\/\/\S+)/.exec(said) ?? [];
+      const [, url] = /Studio: (http:\/\/\S+)\s/.exec(said) ?? [];
       if (!url) return;
       const { port, searchParams } = new URL(url);
       resolve({

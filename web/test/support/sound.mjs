@@ -21,23 +21,42 @@ export function siSdr(heard, at, truth, from, count) {
   return 10 * Math.log10(explained / Math.max(1e-12 * energy + 1e-20, energy - explained));
 }
 
-/** The SI-SDR of the piece of `count` samples of `heard` that fits `truth` best, at whatever place of it. */
-export function bestDecibels(heard, truth, count) {
+/** Where in `truth`, between `from` and `to`, the `count` samples of `heard` from `at` on lie; -1: nowhere. */
+function placeOf(heard, at, truth, from, to, count) {
+  const probe = 64; // first where 64 samples fit, then all of them
+  let place = -1;
   let best = -Infinity;
-  for (let at = Math.floor(count / 2); at + count <= heard.length; at += count) {
-    const probe = 64; // first where 64 samples fit, then all of the piece
-    for (let from = 0; from + count <= truth.length; from++) {
-      let cross = 0;
-      let power = 0;
-      let energy = 0;
-      for (let i = 0; i < probe; i++) {
-        cross += heard[at + i] * truth[from + i];
-        power += truth[from + i] ** 2;
-        energy += heard[at + i] ** 2;
-      }
-      if (cross <= 0 || power === 0 || energy === 0 || cross ** 2 < 0.99 * power * energy) continue;
-      best = Math.max(best, siSdr(heard, at, truth, from, count));
+  for (let start = Math.max(0, from); start + count <= Math.min(truth.length, to + count); start++) {
+    let cross = 0;
+    let power = 0;
+    let energy = 0;
+    for (let i = 0; i < probe; i++) {
+      cross += heard[at + i] * truth[start + i];
+      power += truth[start + i] ** 2;
+      energy += heard[at + i] ** 2;
     }
+    if (cross <= 0 || power === 0 || energy === 0 || cross ** 2 < 0.99 * power * energy) continue;
+    const likeness = siSdr(heard, at, truth, start, count);
+    if (likeness > best) [place, best] = [start, likeness];
   }
-  return best;
+  return place;
+}
+
+/**
+ * The SI-SDR in dB of each piece of `count` samples of `heard`, put where it fits `truth` best: clocks of two computers may differ, and
+ * a page then plays a little faster or slower for a moment. Pieces that fit nowhere are -Infinity; the first, in which sound fades in,
+ * is passed over.
+ */
+export function piecesAgainst(heard, truth, count) {
+  const all = [];
+  let expected = -1;
+  for (let at = count; at + count <= heard.length; at += count) {
+    const near = count / 2;
+    let place = expected < 0 ? -1 : placeOf(heard, at, truth, expected - near, expected + near, count);
+    if (place < 0 && expected < 0) place = placeOf(heard, at, truth, 0, truth.length, count);
+    all.push(place < 0 ? -Infinity : siSdr(heard, at, truth, place, count));
+    if (place >= 0) expected = place + count;
+    else if (expected >= 0) expected += count;
+  }
+  return all;
 }

@@ -3,6 +3,7 @@ import { Swatch } from "./swatch";
 import { number } from "../../i18n/i18n";
 import { Icon } from "../../shell/icons";
 import { angle } from "../../shell/units";
+import type { Beam } from "../../store/store";
 import { useStudio } from "../../studio";
 import { toggleListening, toggleRecording } from "../actions";
 import { colorOf } from "../palette";
@@ -28,6 +29,7 @@ export function Card({ voice }: { voice: Voice }) {
   const heard = studio.listener?.wish.value?.track === id;
   const recording = store.recording.value.some((one) => one.track === id);
   const transcripts = store.transcripts.value.get(id);
+  const beam = view.paused.value ? undefined : store.beams.value.get(id);
   return (
     <li
       class={`card ${shown ? "" : "dim"} ${view.hovered.value === id ? "pointed" : ""} ${view.selected.value === id ? "selected" : ""}`}
@@ -59,7 +61,9 @@ export function Card({ voice }: { voice: Voice }) {
         <span>{`${t("activity")} ${number(voice.activity, 2)}`}</span>
         <span>{t("age", { time: ago(voice.age) })}</span>
         {voice.category > 0 && <span class={voice.category === 2 ? "speech" : ""}>{t(voice.category === 2 ? "speech" : "noise")}</span>}
+        {beam && beam.snr !== null && <span title={t("snrMeans")}>{t("snr", { n: number(beam.snr) })}</span>}
       </div>
+      {beam && view.selected.value === id && <BeamFacts beam={beam} />}
       <div class="card-tools">
         <Tool name={shown ? "eye" : "eyeOff"} label={t(shown ? "hide" : "show")} hint="H" pressed={!shown} run={() => view.toggleHidden(id)} />
         <Tool text="S" label={t("solo")} hint="S" pressed={view.solo.value === id} run={() => view.toggleSolo(id)} />
@@ -74,6 +78,16 @@ export function Card({ voice }: { voice: Voice }) {
         </p>
       )}
     </li>
+  );
+}
+
+function BeamFacts({ beam: { gain, condition } }: { beam: Beam }) {
+  if (gain === null && condition === null) return null;
+  return (
+    <div class="card-facts figures">
+      {gain !== null && <span title={t("beamGainMeans")}>{t("beamGain", { n: number(gain, 1) })}</span>}
+      {condition !== null && <span title={t("beamConditionMeans")}>{t("beamCondition", { n: number(condition, 1) })}</span>}
+    </div>
   );
 }
 

@@ -88,6 +88,9 @@ function drawSpark({ ctx, width, height, color }: Pen, points: { ago: number; va
   ctx.stroke();
 }
 
+/** Those that this page has a word for; a newer daemon may have more. */
+const kStages = new Set(["transform", "noise", "localization", "tracking", "separation", "synthesis", "classification", "post_filter"]);
+
 export function Stages({ stages }: { stages: [string, number][] }) {
   const all = stages.reduce((sum, [, time]) => sum + time, 0);
   if (stages.length === 0) return null;
@@ -99,8 +102,8 @@ export function Stages({ stages }: { stages: [string, number][] }) {
         <tbody>
           {stages.map(([name, time]) => (
             <tr key={name}>
-              <th scope="row">{name}</th>
-              <td class="number">{number(time)}</td>
+              <th scope="row">{kStages.has(name) ? t(`stage_${name}` as Key) : name}</th>
+              <td class="number">{number(time, time < 10 ? 1 : 0)}</td>
               <td><span class="share"><span style={{ width: `${(time / (all || 1)) * 100}%` }} /></span>{percent(time / (all || 1))}</td>
             </tr>
           ))}
