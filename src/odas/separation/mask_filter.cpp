@@ -13,7 +13,7 @@ namespace {
 // Time constants, s: of the leakage, of a voice's power that falls, and of the decision-directed SNR.
 constexpr float kLeakSeconds = 0.4F;
 constexpr float kFallSeconds = 0.016F;
-constexpr float kTrustSeconds = 0.08F;
+constexpr float kTrustSeconds = 0.1F;
 constexpr float kTiny = 1e-30F;
 
 float step(float hop_seconds, float seconds) noexcept { return 1 - std::exp(-hop_seconds / seconds); }
@@ -69,7 +69,14 @@ void MaskFilter::apply(GridView<const cfloat> spectra, GridView<const float> /*n
   }
 }
 
+/// What all voices share goes with the last of them, as in AdaptiveBeamformer.
 void MaskFilter::follow(std::span<const Track> tracks) noexcept {
+  bool anybody = false, stays = false;
+  for (std::size_t s = 0; s < ids_.size(); ++s) {
+    anybody = anybody || ids_[s] != 0;
+    stays = stays || (ids_[s] != 0 && ids_[s] == tracks[s].id);
+  }
+  if (anybody && !stays) room_.reset();
   for (std::size_t s = 0; s < ids_.size(); ++s) {
     if (ids_[s] == tracks[s].id) continue;
     ids_[s] = tracks[s].id;

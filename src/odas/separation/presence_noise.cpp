@@ -12,7 +12,7 @@ namespace {
 // From the prior SNR of 15 dB of the paper: there, noise and speech are as likely.
 constexpr float kThreshold = 3.6F;
 constexpr float kMostRatio = 1e4F;  // to the fourth power it is still a float
-constexpr float kLearnSeconds = 0.16F;
+constexpr float kLearnSeconds = 0.13F;
 constexpr float kPresenceSeconds = 0.08F;
 constexpr float kStuck = 0.99F;
 constexpr std::size_t kFirstHops = 5;  // are taken for noise, whatever they are

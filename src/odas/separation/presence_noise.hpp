@@ -13,7 +13,7 @@ namespace odas {
 /// noise
 ///   is taken for speech, and not learned. Where p has been near 1 for long, p is held under 0.99, or a noise
 ///   that became louder would never be learned.
-/// Symbols: P: power of this hop; N: of the noise; a: of a time constant of 0.16 s; p: presence of speech.
+/// Symbols: P: power of this hop; N: of the noise; a: of a time constant of 0.13 s; p: presence of speech.
 /// Source: Gerkmann and Hendriks, "Unbiased MMSE-based noise power estimation with low complexity and low
 ///   tracking delay", IEEE TASLP 20(4), 2012. Departs: p is a ratio of powers with the same threshold in
 ///   place of their logistic function, so that no exponential is needed.
