@@ -82,7 +82,7 @@ struct Bench {
 };
 
 BenchOutcome play(const BenchScene& scene, const BenchConfig& config, const std::string& keep, bool voices) {
-  const BenchSound sound = bench_sound(scene, config.array, keep);
+  const BenchSound sound = bench_sound(scene, config.array, keep, voices);
   Configuration listener = config.listener;
   listener.pipeline.wanted = {true, true, voices, voices};
   const Audition heard = listen(sound.played, std::move(listener));
@@ -91,6 +91,7 @@ BenchOutcome play(const BenchScene& scene, const BenchConfig& config, const std:
   outcome.score = score(sound.played.truth, voices ? std::optional(sound.played.sound) : std::nullopt, heard);
   outcome.bound = bench_bound(sound, config.array);
   if (voices) outcome.ideal_mask_sdr_db = ideal_mask_sdr_db(sound.played.sound);
+  outcome.ideal_beamformer_sdr_db = sound.ideal_beamformer_sdr_db;
   return outcome;
 }
 
@@ -161,7 +162,8 @@ void add_bench(CLI::App& app) {
       "prints\n"
       "SDR, SI-SDR, SIR and STOI of microphone 1 and of the voices of whom odas itself follows, and beside "
       "them\n"
-      "the SDR of the ideal ratio mask. Both need espeak-ng, which speaks (docs/benchmark.md).\n\n"
+      "the SDR of the ideal ratio mask and of an MVDR beamformer with the true covariances. Both need "
+      "espeak-ng, which speaks (docs/benchmark.md).\n\n"
       "Examples:\n"
       "  odas bench accuracy --half test -o accuracy\n"
       "  odas bench accuracy --half train --scenes 40 --keep scenes --set 'sst.P_new=0.05'\n"

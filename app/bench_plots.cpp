@@ -69,7 +69,7 @@ std::vector<BenchPanel> accuracy_panels() {
 }
 
 std::vector<BenchPanel> separation_panels() {
-  return {{"group", "SDR by group", {"sdr_in", "sdr", "pf_sdr"}, std::nullopt},
+  return {{"group", "SDR by group", {"sdr_in", "sdr", "pf_sdr", "mvdr_sdr"}, std::nullopt},
           {"group", "SI-SDR by group", {"si_sdr_in", "si_sdr", "pf_si_sdr"}, std::nullopt},
           {"group", "STOI by group", {"stoi_in", "stoi", "pf_stoi"}, 100},
           {"two, by array", "SDR of two talkers by array", {"sdr_in", "sdr", "pf_sdr"}, std::nullopt},

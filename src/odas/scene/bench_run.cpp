@@ -16,6 +16,7 @@
 
 #include "odas/array/doa_error.hpp"
 #include "odas/base/error.hpp"
+#include "odas/scene/ideal_beamformer.hpp"
 #include "odas/scene/scene_output.hpp"
 #include "odas/scene/simulate.hpp"
 #include "odas/scene/sound.hpp"
@@ -31,7 +32,7 @@ constexpr const char* kNote = "bench.txt";
 constexpr int kRuler = 2;  // of what is kept: a step whenever scenes come out otherwise
 
 /// What a kept scene depends on.
-std::string note_of(const BenchScene& scene, const GeneralConfig& array) {
+std::string note_of(const BenchScene& scene, const GeneralConfig& array, bool voices) {
   std::ostringstream note;
   note << kRuler << ' ' << scene.text() << " hop=" << array.size.hop_size << " rate=" << array.samplerate.mu;
   for (const MicConfig& mic : array.mics) {
@@ -39,6 +40,7 @@ std::string note_of(const BenchScene& scene, const GeneralConfig& array) {
     for (const float x : mic.direction) note << ' ' << x;
     note << ' ' << mic.angle[0];
   }
+  if (voices) note << " ideal_beamformer";
   return note.str();
 }
 
@@ -48,11 +50,12 @@ fs::path folder_of(const BenchScene& scene, const fs::path& folder) {
   return folder / name;
 }
 
-std::optional<BenchSound> kept(const fs::path& folder, const std::string& note) {
+std::optional<BenchSound> kept(const fs::path& folder, const std::string& note, bool voices) {
   std::ifstream in(folder / kNote);
   std::string line;
   if (!std::getline(in, line) || line != note) return std::nullopt;
   BenchSound sound;
+  if (double sdr = 0; voices && in >> sdr) sound.ideal_beamformer_sdr_db = sdr;
   for (double bound = 0; in >> bound;) sound.tdoa_bounds.push_back(bound);
   sound.played.truth = read_truth(folder);
   auto known = read_known_sound(folder, sound.played.truth);
@@ -72,23 +75,28 @@ void put_in_place(const fs::path& part, const fs::path& place) {
 
 }  // namespace
 
-BenchSound bench_sound(const BenchScene& bench, const GeneralConfig& array, const fs::path& folder) {
-  const std::string note = note_of(bench, array);
+BenchSound bench_sound(const BenchScene& bench, const GeneralConfig& array, const fs::path& folder,
+                       bool voices) {
+  const std::string note = note_of(bench, array, voices);
   const fs::path place = folder_of(bench, folder);
   if (!folder.empty()) {
-    if (auto sound = kept(place, note)) return std::move(*sound);
+    if (auto sound = kept(place, note, voices)) return std::move(*sound);
   }
   const Scene scene = make_scene(bench, array);
-  SimulatedScene simulated = simulate(scene);
+  SimulatedScene simulated = simulate(scene, {}, voices ? Images::of_all : Images::of_the_first);
   const fs::path part = place.string() + "." + std::to_string(getpid()) + ".part";
   if (!folder.empty()) write_scene(scene, simulated, RecordingFormat::wav, part);
   BenchSound sound;
+  if (voices) {
+    sound.ideal_beamformer_sdr_db = ideal_beamformer_sdr_db(simulated.mics, simulated.images_at_all);
+  }
   sound.played = played(scene, std::move(simulated));
   sound.tdoa_bounds = tdoa_bounds(scene, sound.played);
   if (folder.empty()) return sound;
   std::ofstream out(part / kNote);
   out.precision(17);
   out << note << '\n';
+  if (sound.ideal_beamformer_sdr_db) out << *sound.ideal_beamformer_sdr_db << '\n';
   for (const double bound : sound.tdoa_bounds) out << bound << '\n';
   out.close();
   if (!out) throw IoError("cannot write all of " + (part / kNote).string());

@@ -17,13 +17,15 @@ namespace odas {
 /// A scene that was played, and how exactly it could be heard at best.
 struct BenchSound {
   PlayedScene played;
-  std::vector<double> tdoa_bounds;  // [target], s
+  std::vector<double> tdoa_bounds;                // [target], s
+  std::optional<double> ideal_beamformer_sdr_db;  // where it was asked for, and somebody talks
 };
 
 /// Plays it; or takes it from `folder`, if it was kept there: what is simulated once need not be again. An
-/// empty folder: nothing is kept. Throws IoError.
+/// empty folder: nothing is kept. `voices`: what an ideal beamformer makes of the voices is wanted, too, for
+/// which all microphones' images are needed. Throws IoError.
 [[nodiscard]] BenchSound bench_sound(const BenchScene& scene, const GeneralConfig& array,
-                                     const std::filesystem::path& folder);
+                                     const std::filesystem::path& folder, bool voices = false);
 
 /// The best mean errors that the array's aperture and the sound allow (Cramer and Rao), over the talkers. As
 /// the means of errors, not their deviations: of a Gaussian 0.8 of that.
@@ -38,7 +40,7 @@ struct BenchOutcome {
   BenchScene scene;
   Score score;
   std::optional<BenchBound> bound;
-  std::optional<double> ideal_mask_sdr_db;  // of separation
+  std::optional<double> ideal_mask_sdr_db, ideal_beamformer_sdr_db;  // of separation
 };
 
 /// Calls `work(i)` for i from 0 to `count` - 1, in `jobs` threads, until `stop`. The first exception ends it,

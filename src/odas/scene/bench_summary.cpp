@@ -126,6 +126,8 @@ std::vector<BenchFigure> separation_figures() {
           db("sdr", "SDR", separated, &S::sdr),
           db("pf_sdr", "SDR filtered", filtered, &S::sdr),
           {"irm_sdr", "SDR ideal mask, dB", 1, Middle::mean, [](const O& o) { return o.ideal_mask_sdr_db; }},
+          {"mvdr_sdr", "SDR ideal MVDR, dB", 1, Middle::mean,
+           [](const O& o) { return o.ideal_beamformer_sdr_db; }},
           db("si_sdr_in", "SI-SDR in", separated, &S::si_sdr_in),
           db("si_sdr", "SI-SDR", separated, &S::si_sdr),
           db("pf_si_sdr", "SI-SDR filtered", filtered, &S::si_sdr),

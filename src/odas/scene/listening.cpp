@@ -36,31 +36,48 @@ class SceneSourceReader : public AudioSource {
   std::size_t at_ = 0;
 };
 
-/// One stream of voices, all slots, hop after hop.
+/// One stream of voices, all slots, hop after hop. They come `late` hops after the sound that they are of,
+/// and are given for that: neither is the first word of a track cut off, nor is the last one missing.
 class KeptVoices {
  public:
-  void add(std::size_t hop, GridView<const float> voices) {
+  explicit KeptVoices(std::size_t late) : late_(late) {}
+
+  void add(std::size_t hop, std::span<const Track> tracks, GridView<const float> voices) {
     if (voices.rows() == 0) return;
     hops_.resize(std::max(hops_.size(), hop + 1));
     auto& kept = hops_[hop];
-    for (std::size_t s = 0; s < voices.rows(); ++s)
-      kept.insert(kept.end(), voices[s].begin(), voices[s].end());
+    for (std::size_t s = 0; s < voices.rows(); ++s) {
+      kept.ids.push_back(tracks[s].id);
+      kept.sound.insert(kept.sound.end(), voices[s].begin(), voices[s].end());
+    }
   }
   [[nodiscard]] bool empty() const { return hops_.empty(); }
   void of(std::size_t hop, const HeardTrack& track, std::span<float> out) const {
     std::ranges::fill(out, 0.F);
     const std::size_t at = track.slot * out.size();
-    if (hop >= hops_.size() || at + out.size() > hops_[hop].size()) return;
-    std::copy_n(hops_[hop].begin() + static_cast<std::ptrdiff_t>(at), out.size(), out.begin());
+    if (hop + late_ >= hops_.size()) return;
+    const Hop& kept = hops_[hop + late_];
+    if (track.slot >= kept.ids.size() || kept.ids[track.slot] != track.id) return;
+    std::copy_n(kept.sound.begin() + static_cast<std::ptrdiff_t>(at), out.size(), out.begin());
   }
 
  private:
-  std::vector<std::vector<float>> hops_;
+  struct Hop {
+    std::vector<std::uint64_t> ids;  // [slot]
+    std::vector<float> sound;        // [slot][sample]
+  };
+  std::size_t late_;
+  std::vector<Hop> hops_;
 };
 
 class Listener : public Sink {
  public:
-  explicit Listener(Wanted wanted) : wanted_(wanted) { audition_.potentials.emplace(); }
+  Listener(Wanted wanted, std::size_t late)
+      : wanted_(wanted),
+        separated_(std::make_shared<KeptVoices>(late)),
+        postfiltered_(std::make_shared<KeptVoices>(late)) {
+    audition_.potentials.emplace();
+  }
 
   [[nodiscard]] std::string name() const override { return "the listener of a scene"; }
   [[nodiscard]] Wanted wanted() const noexcept override { return wanted_; }
@@ -77,8 +94,8 @@ class Listener : public Sink {
     if (strongest != result.potentials.end()) {
       audition_.potentials->push_back({hop, direction(strongest->direction)});
     }
-    separated_->add(hop, result.separated);
-    postfiltered_->add(hop, result.postfiltered);
+    separated_->add(hop, result.tracks, result.separated);
+    postfiltered_->add(hop, result.tracks, result.postfiltered);
     return {};
   }
 
@@ -101,8 +118,7 @@ class Listener : public Sink {
 
   Wanted wanted_;
   Audition audition_;
-  std::shared_ptr<KeptVoices> separated_ = std::make_shared<KeptVoices>();
-  std::shared_ptr<KeptVoices> postfiltered_ = std::make_shared<KeptVoices>();
+  std::shared_ptr<KeptVoices> separated_, postfiltered_;
 };
 
 float as_16_bit(float x) { return std::round(std::clamp(x * 32768.F, -32768.F, 32767.F)) / 32768.F; }
@@ -144,7 +160,9 @@ Audition listen(const PlayedScene& scene, Configuration config) {
   config.mapping = MappingConfig();
   Pipeline pipeline(config.pipeline);
   SceneSourceReader source(scene);
-  Listener listener(config.pipeline.wanted);
+  const double hops_a_second = scene.truth.sample_rate / static_cast<double>(config.raw.hop_size);
+  const auto late = static_cast<std::size_t>(std::lround(voice_delay_s(config.pipeline) * hops_a_second));
+  Listener listener(config.pipeline.wanted, late);
   Sink* const sink = &listener;
   const RunSummary summary = run_offline(source, config, pipeline, std::span(&sink, 1), {});
   if (summary.exit_code() != 0) throw IoError(summary.fault);

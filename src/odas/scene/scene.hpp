@@ -81,6 +81,7 @@ struct SourceTruth {
 struct SimulatedScene {
   Grid<float> mics;                        // [mic][sample]
   std::vector<std::vector<float>> images;  // [target][sample]: it alone, as the first microphone hears it
+  std::vector<Grid<float>> images_at_all;  // [target][mic][sample]; only where it was asked for
   std::vector<SourceTruth> truth;          // [target]
   std::vector<float> played;               // [sample]: what the machine plays; empty where nothing is
   float scale = 1;                         // what all was multiplied by, so that nothing clips

@@ -154,6 +154,11 @@ void amplify(const Scene& scene, SimulatedScene& result) {
   for (auto& image : result.images) {
     for (float& x : image) x *= scene.mics[0].gain;
   }
+  for (Grid<float>& images : result.images_at_all) {
+    for (std::size_t m = 0; m < images.rows(); ++m) {
+      for (float& x : images[m]) x *= scene.mics[m].gain;
+    }
+  }
 }
 
 /// One factor for all, where the loudest sample would not fit into full scale.
@@ -169,11 +174,12 @@ void avoid_clipping(SimulatedScene& scene) {
   for (auto& image : scene.images) {
     for (float& x : image) x *= scene.scale;
   }
+  for (Grid<float>& images : scene.images_at_all) scale(images, scene.scale);
 }
 
 }  // namespace
 
-SimulatedScene simulate(const Scene& scene, const std::function<void(double)>& progress) {
+SimulatedScene simulate(const Scene& scene, const std::function<void(double)>& progress, Images images) {
   ODAS_EXPECT(!scene.mics.empty() && scene.samples() > 0);
   const auto report = [&progress](double share) {
     if (progress) progress(share);
@@ -198,6 +204,7 @@ SimulatedScene simulate(const Scene& scene, const std::function<void(double)>& p
     if (!source.is_target) continue;
     result.truth.push_back(truth_of(scene, source));
     result.images.emplace_back(image[0].begin(), image[0].end());
+    if (images == Images::of_all) result.images_at_all.push_back(std::move(image));
   }
   const double heard = power_while_active(scene, targets, result.truth);
   const auto set_level = [&](Grid<float>& noise, float snr_db) {

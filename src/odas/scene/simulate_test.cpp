@@ -124,6 +124,20 @@ TEST(Simulate, Images_sum_to_what_the_first_microphone_hears) {
   }
 }
 
+TEST(Simulate, Images_at_all_microphones_sum_to_what_each_hears_and_are_kept_only_when_asked_for) {
+  Scene scene = small_scene(0.15F);
+  scene.mics[1].gain = 0.5F;
+  for (float& x : scene.sources[0].sound) x *= 50;
+  const auto result = simulate(scene, {}, Images::of_all);
+  ASSERT_EQ(result.images_at_all.size(), 1U);
+  for (std::size_t m = 0; m < 2; ++m) {
+    for (std::size_t n = 0; n < scene.samples(); ++n) {
+      ASSERT_NEAR(result.images_at_all[0][m][n], result.mics[m][n], 1e-6);
+    }
+  }
+  EXPECT_TRUE(simulate(scene).images_at_all.empty());
+}
+
 TEST(Simulate, Directional_noise_is_heard_and_is_not_in_the_truth) {
   Scene scene = small_scene(0);
   scene.sources[0].is_target = false;

@@ -68,7 +68,9 @@ Schema MaskFilterConfig::schema() {
   using C = MaskFilterConfig;
   static const std::vector<Field> fields{
       field<&C::g_min>("Gmin", "", kUnit, "smallest gain"),
-      field<&C::leak>("leak", "", kUnit, "how much of the others is thought to be left in a beam, as power"),
+      field<&C::leak>(
+          "leak", "", kUnit,
+          "how much of another voice is thought to be left in a beam before it has been heard, as power"),
   };
   return fields;
 }
