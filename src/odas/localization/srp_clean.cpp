@@ -26,15 +26,20 @@ constexpr std::array<Pair, 1> kSelf{{{0, 0}}};  // a channel with itself: the pa
 
 /// Log-odds of potentials on talkers against the others: lines over ln E, from a logistic regression over the
 /// scenes of docs/localization.md. A single hop may be chance or a click; a talker fills seven hops of the
-/// average and more. Later potentials must stand out of what the first leaves over.
-float evidence(float energy, float strongest, float hops) noexcept {
+/// average and more. Later potentials must stand out of what the first leaves over. Where one or a few talk,
+/// the first has at least half of all that passes the gate (`share`); of a crowd it has a fifth: then the
+/// onsets are as clear as a talker's, but come from everywhere.
+float evidence(float energy, float strongest, float share, float hops) noexcept {
   constexpr float kLeast = -6;
   constexpr float kMost = 8;
+  constexpr float kOfTalkers = 0.5F;
   if (!(energy > 0)) return kLeast;
+  const float crowd = std::min(std::log(std::max(share, 1e-3F) / kOfTalkers), 0.F);
   const float log_energy = std::log(energy);
   const float persistence = 1.2F * std::log(std::max(hops, 1.F) / 7);
-  const float first = 11.3F + 1.36F * log_energy + persistence;
-  const float later = 8.0F + 0.65F * log_energy + 1.75F * std::log(energy / strongest) + persistence;
+  const float first = 11.3F + 1.36F * log_energy + persistence + 2.5F * crowd;
+  const float later =
+      8.0F + 0.65F * log_energy + 1.75F * std::log(energy / strongest) + persistence + 1.2F * crowd;
   return std::clamp(energy < strongest ? std::min(first, later) : first, kLeast, kMost);
 }
 
@@ -165,7 +170,8 @@ void SrpClean::subtract(const PeakFit::Fit& fit, std::span<const std::uint8_t> h
 
 Potential SrpClean::describe(const PeakFit::Fit& fit, float strongest) const noexcept {
   Potential potential{fit.direction, fit.energy};
-  potential.evidence = evidence(fit.energy, strongest, hops_heard());
+  const float heard = pattern_[0][pattern_table_.half_lags()];
+  potential.evidence = evidence(fit.energy, strongest, heard > 0 ? strongest / heard : 0.F, hops_heard());
   potential.covariance = covariance(fit);
   return potential;
 }

@@ -143,6 +143,28 @@ TEST(SrpClean, Of_silence_and_of_steady_noise_has_no_evidence) {
   EXPECT_LE(sure, 4);
 }
 
+TEST(SrpClean, Is_less_sure_of_a_crowd_than_of_one_talker_who_is_no_louder_than_its_loudest_voice) {
+  const GeneralConfig general = test::tetrahedron(0.2F);
+  constexpr std::size_t kVoices = 12;
+  Grid<cfloat> crowd(4, kBins);
+  Grid<cfloat> talker(4, kBins);
+  for (std::size_t voice = 0; voice < kVoices; ++voice) {
+    const auto turn = static_cast<float>(voice);
+    const Vec3 from = direction_of(30 * turn, 40 * std::sin(turn));
+    const Grid<cfloat> wave = test::plane_wave(general, from, 40 + static_cast<unsigned>(voice));
+    for (std::size_t m = 0; m < 4; ++m) {
+      for (std::size_t k = voice; k < kBins; k += kVoices) {
+        crowd[m][k] = wave[m][k];
+        if (voice == 0) talker[m][k] = wave[m][k];
+      }
+    }
+  }
+  const auto of_crowd = onset(general, crowd);
+  const auto of_talker = onset(general, talker);
+  EXPECT_GT(of_crowd[0].energy, of_talker[0].energy) << "with what the others happen to add";
+  EXPECT_LT(of_crowd[0].evidence, of_talker[0].evidence - 1);
+}
+
 TEST(SrpClean, Hears_a_talker_through_a_fan) {
   const GeneralConfig general = test::tetrahedron(0.15F);
   SrpClean localizer(general, {});

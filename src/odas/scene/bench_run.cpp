@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kNote = "bench.txt";
-constexpr int kRuler = 2;  // of what is kept: a step whenever scenes come out otherwise
+constexpr int kRuler = 3;  // of what is kept: a step whenever scenes come out otherwise
 
 /// What a kept scene depends on.
 std::string note_of(const BenchScene& scene, const GeneralConfig& array, bool voices) {

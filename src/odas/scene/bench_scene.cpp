@@ -91,8 +91,8 @@ class Drawing {
   }
 
   [[nodiscard]] bool is_heard(float azimuth) const {
-    const bool line = shape_ == ArrayShape::line;  // near its ends it tells nothing
-    return directivity_.filters(direction_of(azimuth, 4)) > 0.9F &&
+    const bool line = shape_ == ArrayShape::line;  // near its ends it tells nothing, and it listens level
+    return directivity_.filters(direction_of(azimuth, line ? 0 : 4)) > 0.9F &&
            (!line || std::abs(std::remainder(azimuth, 360.F)) <= 75);
   }
 

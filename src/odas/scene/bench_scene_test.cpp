@@ -24,6 +24,18 @@ GeneralConfig square() {
   return array;
 }
 
+/// As a camera has it under its lens: it tells no height, and listens ahead alone.
+GeneralConfig line() {
+  GeneralConfig array;
+  for (const float y : {-0.03F, -0.01F, 0.01F, 0.03F}) {
+    MicConfig mic;
+    mic.mu = {0, y, 0};
+    array.mics.push_back(mic);
+  }
+  array.spatialfilters = {{{1, 0, 0}, {90, 95}}, {{0, 0, 1}, {90, 95}}, {{0, 0, -1}, {90, 95}}};
+  return array;
+}
+
 BenchScene small(BenchMotion motion = BenchMotion::still) {
   BenchScene bench;
   bench.group = "small";
@@ -63,6 +75,16 @@ TEST_F(BenchSceneTest, Talkers_stand_apart_in_the_room_and_above_a_flat_array) {
         const float apart = scene.sources[a].path[0].azimuth - scene.sources[b].path[0].azimuth;
         EXPECT_GE(std::abs(std::remainder(apart, 360.F)), 35);
       }
+    }
+  }
+}
+
+TEST_F(BenchSceneTest, Who_talks_to_a_line_that_listens_ahead_is_ahead) {
+  for (std::uint32_t seed = 1; seed < 4; ++seed) {
+    BenchScene bench = small(BenchMotion::crossing);
+    bench.seed = seed;
+    for (const SceneSource& source : make_scene(bench, line()).sources) {
+      for (const Waypoint& point : source.path) EXPECT_LE(std::abs(point.azimuth), 75) << seed;
     }
   }
 }
