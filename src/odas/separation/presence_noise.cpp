@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "odas/base/contract.hpp"
+#include "odas/dsp/tiny_power.hpp"
 
 namespace odas {
 namespace {
@@ -16,7 +17,6 @@ constexpr float kLearnSeconds = 0.13F;
 constexpr float kPresenceSeconds = 0.08F;
 constexpr float kStuck = 0.99F;
 constexpr std::size_t kFirstHops = 5;  // are taken for noise, whatever they are
-constexpr float kTiny = 1e-30F;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void PresenceNoise::update(std::span<const float> power) noexcept {
     return;
   }
   for (std::size_t k = 0; k < noise_.size(); ++k) {
-    const float ratio = std::min(power[k] / (kThreshold * noise_[k] + kTiny), kMostRatio);
+    const float ratio = std::min(power[k] / (kThreshold * noise_[k] + kTinyPower), kMostRatio);
     const float square = ratio * ratio;
     float present = square * square / (1 + square * square);
     presence_[k] += mean_ * (present - presence_[k]);
