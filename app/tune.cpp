@@ -133,6 +133,13 @@ void write_file(const fs::path& file, const std::string& text) {
   }
 }
 
+/// What is measured is E; a tracker that lives of a localizer's own evidence asks for nothing else.
+void say_who_reads_it(const PipelineConfig& config) {
+  if (config.sst.mode != "bernoulli" || config.ssl.mode != "srp_clean") return;
+  say("the tracks of this file rest on the evidence of ssl.mode = \"srp_clean\", which adapts by itself:\n"
+      "the mixtures count as soon as ssl.mode or sst.mode is another");
+}
+
 void expect_another_file(const fs::path& out, const fs::path& file) {
   std::error_code ignored;
   if (!out.empty() && fs::equivalent(out, file, ignored)) {
@@ -175,6 +182,7 @@ void tune(const TuneArguments& arguments) {
         "did somebody talk?");
   }
   fmt::print("\n{}", verdict(found, apart, silence));
+  say_who_reads_it(loaded.config.pipeline);
   const std::string text = tuned(file, found, silence, talk);
   if (arguments.out.empty()) {
     fmt::print("\nsst.inactive = {};\nsst.active = {};\n", mixture_value(found.inactive, "silence"),
