@@ -22,7 +22,7 @@
 namespace odas {
 namespace {
 
-struct Arguments {
+struct ArrayArguments {
   std::string array, svg, png;
   double tdoa_error_us = 0;  // 0: that of the sampling
 };
@@ -144,7 +144,7 @@ void print_ambiguities(const DoaError& error, std::span<const Vec3> directions) 
   }
 }
 
-void draw(const Arguments& arguments, const Configuration& config, const DoaError& error,
+void draw(const ArrayArguments& arguments, const Configuration& config, const DoaError& error,
           double tdoa_error_s) {
   ArrayPicture picture;
   picture.title = arguments.array;
@@ -166,7 +166,7 @@ void draw(const Arguments& arguments, const Configuration& config, const DoaErro
   if (!arguments.png.empty()) write_png(arguments.png, kArrayDrawingWidth, kArrayDrawingHeight, on);
 }
 
-void show(const Arguments& arguments) {
+void show(const ArrayArguments& arguments) {
   LoadedConfiguration loaded = load_configuration(find_configuration(arguments.array));
   for (const Fault& fault : loaded.faults) std::fprintf(stderr, "%s\n", to_string(fault).c_str());
   PipelineConfig& pipeline = loaded.config.pipeline;
@@ -194,7 +194,7 @@ void show(const Arguments& arguments) {
 
 void add_array(CLI::App& app) {
   CLI::App* command = app.add_subcommand("array", "Check the geometry of an array, and draw it");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ArrayArguments>();
   command->add_option("ARRAY", arguments->array, "Configuration: a file, or the name of an array")
       ->type_name("")
       ->required();

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct BenchArguments {
   Selection selection;
   std::string kind, half = "both", keep, out;
   BenchListening listening;
@@ -33,7 +33,7 @@ struct Arguments {
   bool list = false, json = false;
 };
 
-std::vector<BenchScene> chosen(const std::vector<BenchScene>& suite, Arguments& arguments) {
+std::vector<BenchScene> chosen(const std::vector<BenchScene>& suite, BenchArguments& arguments) {
   if (arguments.half == "train") arguments.selection.half = Selection::Half::train;
   if (arguments.half == "test") arguments.selection.half = Selection::Half::test;
   for (const std::string& word : unknown_words(suite, arguments.selection.filter)) {
@@ -55,7 +55,7 @@ void write_file(const fs::path& file, const std::string& text) {
   if (!stream) throw IoError("cannot write " + file.string());
 }
 
-void report(const Arguments& arguments, const std::string& title, std::span<const BenchOutcome> outcomes,
+void report(const BenchArguments& arguments, const std::string& title, std::span<const BenchOutcome> outcomes,
             std::span<const BenchFigure> figures, std::span<const BenchPanel> panels) {
   const auto tables = tables_of(outcomes, figures);
   const std::string markdown = bench_markdown(tables, figures);
@@ -94,7 +94,7 @@ BenchOutcome play(const BenchScene& scene, const BenchConfig& config, const std:
   return outcome;
 }
 
-void run_bench(const Bench& bench, Arguments& arguments) {
+void run_bench(const Bench& bench, BenchArguments& arguments) {
   const auto scenes = chosen(bench.suite(arguments.seed), arguments);
   if (arguments.list) return list(scenes);
   const auto configs = bench_configs(scenes, arguments.listening);
@@ -117,7 +117,7 @@ constexpr Bench kAccuracy{"odas bench accuracy", accuracy_suite, accuracy_figure
 constexpr Bench kSeparation{"odas bench separation", separation_suite, separation_figures, separation_panels,
                             true};
 
-void add_options(CLI::App* command, const std::shared_ptr<Arguments>& a) {
+void add_options(CLI::App* command, const std::shared_ptr<BenchArguments>& a) {
   command->add_option("--scenes", a->selection.most, "Not more scenes than these, evenly from all")
       ->type_name("N");
   command->add_option("--half", a->half, "train: to tune on; test: to report on; both")
@@ -149,7 +149,7 @@ void add_options(CLI::App* command, const std::shared_ptr<Arguments>& a) {
 void add_bench(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("bench", "Measure how well it hears, over hundreds of simulated scenes");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<BenchArguments>();
   command->add_option("KIND", arguments->kind, "accuracy: directions; separation: voices")
       ->check(CLI::IsMember({"accuracy", "separation"}))
       ->type_name("")

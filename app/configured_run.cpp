@@ -14,7 +14,7 @@
 namespace odas {
 namespace {
 
-void say(const std::string& program, const std::string& what) {
+void tell(const std::string& program, const std::string& what) {
   std::fprintf(stderr, "%s: %s\n", program.c_str(), what.c_str());
 }
 
@@ -29,24 +29,24 @@ RunSummary run_configuration(const std::string& file, const ConfiguredRun& how, 
     // The sinks come last: nothing is overwritten for a run that cannot start.
     const std::unique_ptr<AudioSource> source = make_source(config.raw);
     Pipeline pipeline(config.pipeline);
-    RunEquipment equipment(
-        config,
-        {.live = source->live(), .stop = &stop, .say = [&](const std::string& what) { say(program, what); }});
+    RunEquipment equipment(config, {.live = source->live(),
+                                    .stop = &stop,
+                                    .say = [&](const std::string& what) { tell(program, what); }});
 
     RunOptions options;
     options.silent_first_block = how.like_odas;
     options.pad_last_block = !how.like_odas;
     options.stop = &stop;
     options.targets = equipment.takes_targets() ? &equipment.targets() : nullptr;
-    options.warn = [&](const std::string& warning) { say(program, "warning: " + warning); };
-    options.notice = [&](const std::string& notice) { say(program, notice); };
+    options.warn = [&](const std::string& warning) { tell(program, "warning: " + warning); };
+    options.notice = [&](const std::string& notice) { tell(program, notice); };
     const auto run = how.threads ? run_live : run_offline;
     return run(*source, config, pipeline, equipment.sinks(), options);
   } catch (const ConfigError& error) { throw loaded.locations.locate(error); }
 }
 
 int say_end(const RunSummary& summary, const std::string& program) {
-  if (summary.exit_code() != 0) say(program, summary.fault);
+  if (summary.exit_code() != 0) tell(program, summary.fault);
   return summary.exit_code();
 }
 

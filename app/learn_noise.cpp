@@ -30,7 +30,7 @@ namespace {
 constexpr double kLeast = 3;              // s of noise
 constexpr double kToleratedSpeech = 0.1;  // of the seconds: machines start and stop, too
 
-struct Arguments {
+struct LearnArguments {
   std::string array, out;
   std::vector<std::string> recordings;
   double seconds = 30;
@@ -109,7 +109,7 @@ void expect_no_speech(const NoiseLearner& learner, bool anyway) {
   say("warning: " + what);
 }
 
-void learn_noise(const Arguments& arguments) {
+void learn_noise(const LearnArguments& arguments) {
   const LoadedConfiguration loaded = load(find_configuration(arguments.array));
   const Configuration& config = loaded.config;
   LearningSink sink(config.pipeline);
@@ -146,7 +146,7 @@ void learn_noise(const Arguments& arguments) {
 void add_learn_noise(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("learn-noise", "Learn the machine's own noise, so that separation can null it");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<LearnArguments>();
   command->add_option("ARRAY", arguments->array, "Configuration: a file, or the name of an array")
       ->type_name("")
       ->required();

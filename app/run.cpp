@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct RunArguments {
   std::string recording, config, out;
   bool odas_files = false;
 };
@@ -37,7 +37,7 @@ constexpr std::array kFiles{"tracks.jsonl", "potentials.jsonl", kReferenceFile, 
 constexpr std::array kOdasFiles{"tracks.json", "pots.json", "separated.raw", "postfiltered.raw"};
 
 /// The folder for the results. The files that an earlier run left there are removed, and nothing else.
-fs::path prepare_folder(const Arguments& arguments) {
+fs::path prepare_folder(const RunArguments& arguments) {
   const fs::path out = arguments.out;
   std::error_code error;
   if (fs::exists(out, error) && !fs::is_directory(out, error)) {
@@ -134,7 +134,7 @@ void tell(const RunFacts& facts, const RunSummary& summary, const ReportSink& re
   }
 }
 
-void run(const Arguments& arguments) {
+void run(const RunArguments& arguments) {
   LoadedConfiguration loaded = load_configuration(find_configuration(arguments.config));
   RunFacts facts;
   for (const Fault& fault : loaded.faults) {
@@ -179,7 +179,7 @@ void run(const Arguments& arguments) {
 
 void add_run(CLI::App& app) {
   CLI::App* command = app.add_subcommand("run", "Process a recording: directions, voices and a report");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RunArguments>();
   command
       ->add_option("RECORDING", arguments->recording,
                    "WAV, FLAC, or headerless as `raw` of the configuration says")

@@ -15,7 +15,7 @@
 namespace odas {
 namespace {
 
-struct Arguments {
+struct StudioArguments {
   std::string what, address, token, recordings, play;
   bool loop = false, no_qr = false, any_port = false, odas = false;
 };
@@ -25,7 +25,7 @@ StudioConfig section_of(const Document& document) {
   return read_configuration_text(document.text, document.source_name()).config.studio;
 }
 
-int serve(const Arguments& arguments) {
+int serve(const StudioArguments& arguments) {
   StudioRun run;
   StudioConfig& config = run.studio.config;
   if (arguments.odas) {
@@ -60,7 +60,7 @@ int serve(const Arguments& arguments) {
 
 void add_studio(CLI::App& app) {
   CLI::App* command = app.add_subcommand("studio", "Serve a page that shows, records and configures");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<StudioArguments>();
   command
       ->add_option("ARRAY", arguments->what,
                    "Configuration to run: a file, or the name of an array; or a session (.mcap) to look at")

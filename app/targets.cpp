@@ -23,7 +23,7 @@ using nlohmann::json;
 
 constexpr int kPatienceMs = 5000;
 
-struct Arguments {
+struct TargetsArguments {
   std::string address;
   std::string token;
   std::vector<std::string> set, add, remove;
@@ -67,7 +67,7 @@ json targets_of(const std::vector<std::string>& texts) {
   return list;
 }
 
-std::string message_of(const Arguments& arguments) {
+std::string message_of(const TargetsArguments& arguments) {
   if (arguments.clear || !arguments.set.empty()) return json{{"targets", targets_of(arguments.set)}}.dump();
   return json{{"add", targets_of(arguments.add)}, {"remove", arguments.remove}}.dump();
 }
@@ -112,7 +112,7 @@ std::string answer_from(const FileDescriptor& socket, const std::string& where) 
   return line.substr(0, line.find('\n'));
 }
 
-void change_targets(const Arguments& arguments) {
+void change_targets(const TargetsArguments& arguments) {
   const std::string message = message_of(arguments);
   TcpDialer dialer = dialer_of(arguments.address);
   const FileDescriptor socket = dial(dialer);
@@ -131,7 +131,7 @@ void change_targets(const Arguments& arguments) {
 
 void add_targets(CLI::App& app) {
   CLI::App* targets = app.add_subcommand("targets", "Add, move and remove the fixed directions of a run");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<TargetsArguments>();
   targets->add_option("ADDRESS", arguments->address, "PORT or HOST:PORT of the run's sst.control.interface")
       ->type_name("")
       ->required();

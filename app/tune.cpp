@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct TuneArguments {
   std::string array, silence, talk, out, svg, png;
   double seconds = 60;
 };
@@ -140,7 +140,7 @@ void expect_another_file(const fs::path& out, const fs::path& file) {
   }
 }
 
-void tune(const Arguments& arguments) {
+void tune(const TuneArguments& arguments) {
   const fs::path file = find_configuration(arguments.array);
   LoadedConfiguration loaded = load_configuration(file);
   for (const Fault& fault : loaded.faults) std::fprintf(stderr, "%s\n", to_string(fault).c_str());
@@ -191,7 +191,7 @@ void tune(const Arguments& arguments) {
 void add_tune(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("tune", "Measure silence and talk where the array stands, and tune to them");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<TuneArguments>();
   command->add_option("ARRAY", arguments->array, "Configuration to tune: a file, or the name of an array")
       ->type_name("")
       ->required();

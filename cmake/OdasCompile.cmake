@@ -7,6 +7,9 @@ target_compile_options(odas_flags INTERFACE
   # Let the compiler vectorise: no errno, no traps. Not -ffast-math: NaN checks must live.
   -fno-math-errno -fno-trapping-math
   $<$<CXX_COMPILER_ID:GNU>:-fcx-limited-range>
+  # Of files that are compiled together: what one file's names hide is another's.
+  $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow>
+  $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
   # g++ 12 sees overlaps in std::string that are not there (its bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 target_include_directories(odas_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
@@ -57,7 +60,7 @@ function(odas_test_program name)
   target_link_libraries(${name} PRIVATE odas_test_support GTest::gtest GTest::gtest_main rapidcheck)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>
     # At -O1 g++ 12 sees uninitialized members and writes beyond arrays that are not.
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow>)
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread>)
   target_precompile_headers(${name} REUSE_FROM odas_test_header)
 endfunction()
 

@@ -3,7 +3,7 @@
 #include "support/program.hpp"
 #include "support/scratch.hpp"
 
-namespace odas {
+namespace odas::array_command_test {
 namespace {
 
 test::ProgramRun odas(const std::vector<std::string>& arguments) {
@@ -61,4 +61,4 @@ TEST(Arrays, lists_names_and_what_they_are_for) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::array_command_test

@@ -9,7 +9,7 @@
 #include "odas/scene/bench_run.hpp"
 #include "odas/scene/bench_suite.hpp"
 
-namespace odas {
+namespace odas::bench_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,4 +74,4 @@ TEST(Bench, Separation_costs_two_talkers_little_at_worst) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::bench_test

@@ -7,7 +7,7 @@
 #include "support/virtual_devices.hpp"
 #include <gtest/gtest.h>
 
-namespace odas::test {
+namespace odas::test::capture_test {
 namespace {
 
 std::size_t seconds() { return std::getenv("ODAS_SOAK") != nullptr ? 60 : 5; }
@@ -166,4 +166,4 @@ TEST(Devices, are_listed_with_a_section_that_runs) {
 }
 
 }  // namespace
-}  // namespace odas::test
+}  // namespace odas::test::capture_test

@@ -9,7 +9,7 @@
 
 #include "odas/config/keys.hpp"
 
-namespace odas {
+namespace odas::check_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -112,4 +112,4 @@ TEST_F(CheckCommand, prints_the_reference_of_all_keys) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::check_command_test

@@ -12,7 +12,7 @@
 #include "odas/dsp/stft.hpp"
 #include "odas/separation/registry.hpp"
 
-namespace odas {
+namespace odas::clicks_test {
 namespace {
 
 constexpr std::size_t kFrame = 256;
@@ -145,4 +145,4 @@ INSTANTIATE_TEST_SUITE_P(All, Clicks,
                          });
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::clicks_test

@@ -15,7 +15,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/ioctl.h>
 
-namespace odas::test {
+namespace odas::test::clients_test {
 namespace {
 
 using nlohmann::json;
@@ -365,4 +365,4 @@ TEST(Clients, a_port_that_needs_privileges_is_said_at_the_start) {
 }
 
 }  // namespace
-}  // namespace odas::test
+}  // namespace odas::test::clients_test

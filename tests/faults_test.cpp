@@ -9,7 +9,7 @@
 
 #include "odas/io/wav_writer.hpp"
 
-namespace odas {
+namespace odas::faults_test {
 namespace {
 
 using test::has;
@@ -224,4 +224,4 @@ TEST(Faults, a_wrong_configuration_has_code_2_and_all_its_faults) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::faults_test

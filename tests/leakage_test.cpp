@@ -10,7 +10,7 @@
 #include "odas/dsp/stft.hpp"
 #include "odas/separation/registry.hpp"
 
-namespace odas {
+namespace odas::leakage_test {
 namespace {
 
 constexpr std::size_t kMics = 8;
@@ -147,4 +147,4 @@ INSTANTIATE_TEST_SUITE_P(AtElevation, Leakage, testing::Values(0.F, 20.F),
                          [](const auto& test) { return std::to_string(static_cast<int>(test.param)); });
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::leakage_test

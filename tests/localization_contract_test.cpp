@@ -11,7 +11,7 @@
 #include "odas/base/error.hpp"
 #include "odas/localization/registry.hpp"
 
-namespace odas {
+namespace odas::localization_contract_test {
 namespace {
 
 constexpr std::size_t kBins = 129;
@@ -125,4 +125,4 @@ TEST(LocalizerRegistry, Refuses_a_name_that_it_does_not_know) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::localization_contract_test

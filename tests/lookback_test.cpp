@@ -15,7 +15,7 @@
 #include "odas/scene/simulate.hpp"
 #include "odas/scene/truth_file.hpp"
 
-namespace odas {
+namespace odas::lookback_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -184,4 +184,4 @@ TEST(FirstSyllable, is_there_in_a_dialogue_of_our_own) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::lookback_test

@@ -9,7 +9,7 @@
 #include "support/program.hpp"
 #include <gtest/gtest.h>
 
-namespace odas::test {
+namespace odas::test::manual_test {
 namespace {
 
 using Words = std::set<std::string>;
@@ -176,4 +176,4 @@ TEST(Odasserver, has_its_options_in_help_man_page_and_completions) {
 }
 
 }  // namespace
-}  // namespace odas::test
+}  // namespace odas::test::manual_test

@@ -11,7 +11,7 @@
 #include "odas/config/reader.hpp"
 #include "odas/pipeline/pipeline.hpp"
 
-namespace odas {
+namespace odas::odas_conformance_test {
 namespace {
 
 using test::GoldenHop;
@@ -225,4 +225,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Conformance,
                          [](const auto& scene) { return std::string(scene.param); });
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::odas_conformance_test

@@ -13,7 +13,7 @@
 #include "odas/io/file_descriptor.hpp"
 #include "odas/io/tcp_listener.hpp"
 
-namespace odas {
+namespace odas::odaslive_test {
 namespace {
 
 using test::has;
@@ -232,4 +232,4 @@ TEST(Odaslive, goes_on_without_a_peer_and_says_what_was_lost) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::odaslive_test

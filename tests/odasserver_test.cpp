@@ -15,7 +15,7 @@
 #include "odas/io/json_cutter.hpp"
 #include "odas/io/stream_record.hpp"
 
-namespace odas::test {
+namespace odas::test::odasserver_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -246,4 +246,4 @@ TEST(Odasserver, says_when_nothing_has_come_and_leaves_nothing_behind) {
 }
 
 }  // namespace
-}  // namespace odas::test
+}  // namespace odas::test::odasserver_test

@@ -18,7 +18,7 @@
 #include "odas/array/types.hpp"
 #include "odas/studio/odas_intake.hpp"
 
-namespace odas::test {
+namespace odas::test::old_studio_test {
 namespace {
 
 using nlohmann::json;
@@ -275,4 +275,4 @@ TEST(OurPage, stands_where_the_old_studio_stood) {
 }
 
 }  // namespace
-}  // namespace odas::test
+}  // namespace odas::test::old_studio_test

@@ -17,7 +17,7 @@
 #include "odas/io/registry.hpp"
 #include "odas/io/stream_record.hpp"
 
-namespace odas::test {
+namespace odas::test::peers_test {
 namespace {
 
 constexpr std::size_t kSlots = 4, kHop = 1024;
@@ -396,4 +396,4 @@ TEST(Peers, one_who_sleeps_does_not_keep_the_outputs_from_closing) {
 }
 
 }  // namespace
-}  // namespace odas::test
+}  // namespace odas::test::peers_test

@@ -10,7 +10,7 @@
 
 #include "odas/config/reader.hpp"
 
-namespace odas {
+namespace odas::recipes_test {
 namespace {
 
 /// What stands in each block of "```cfg".
@@ -55,4 +55,4 @@ TEST(Recipes, are_taken_without_a_word) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::recipes_test

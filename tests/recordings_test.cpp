@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sndfile.h>
 
-namespace odas {
+namespace odas::recordings_test {
 namespace {
 
 struct Case {
@@ -134,4 +134,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& recording) { return std::string(recording.param.name); });
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::recordings_test

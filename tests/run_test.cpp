@@ -15,7 +15,7 @@
 
 #include "odas/io/wav_writer.hpp"
 
-namespace odas {
+namespace odas::run_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -294,4 +294,4 @@ TEST_F(Run, ends_with_2_on_wrong_usage_and_wrong_configuration) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::run_test

@@ -12,7 +12,7 @@
 #include "odas/scene/score.hpp"
 #include "odas/scene/truth_file.hpp"
 
-namespace odas {
+namespace odas::sample_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ TEST_F(Sample, comes_out_of_its_scene_again) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::sample_test

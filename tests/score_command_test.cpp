@@ -7,7 +7,7 @@
 #include "support/scratch.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::score_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,4 +70,4 @@ TEST_F(ScoreCommand, needs_both_folders) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::score_command_test

@@ -10,7 +10,7 @@
 #include "odas/scene/score.hpp"
 #include "odas/scene/truth_file.hpp"
 
-namespace odas {
+namespace odas::score_reference_test {
 namespace {
 
 struct Row {
@@ -86,4 +86,4 @@ TEST(Score, of_odas_on_noise_alone_is_the_reference_scorers) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::score_reference_test

@@ -19,7 +19,7 @@
 #include "odas/dsp/window.hpp"
 #include "odas/separation/registry.hpp"
 
-namespace odas {
+namespace odas::separation_conformance_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -217,4 +217,4 @@ TEST_P(SeparationOfScene, by_gss_and_then_by_ss_equals_that_of_ODAS) {
 INSTANTIATE_TEST_SUITE_P(Scenes, SeparationOfScene, testing::Values("rsp4_static2", "uma7_static2"));
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::separation_conformance_test

@@ -12,7 +12,7 @@
 #include "odas/base/error.hpp"
 #include "odas/separation/registry.hpp"
 
-namespace odas {
+namespace odas::separation_contract_test {
 namespace {
 
 constexpr std::size_t kBins = 129;
@@ -250,4 +250,4 @@ TEST(SeparationRegistry, refuses_a_name_that_is_not_there_and_says_which_are) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::separation_contract_test

@@ -20,7 +20,7 @@
 #include "odas/scene/truth_file.hpp"
 #include "odas/separation/registry.hpp"
 
-namespace odas {
+namespace odas::separation_scenes_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,4 +117,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SeparationOfRooms,
                          [](const testing::TestParamInfo<Bar>& bar) { return std::string(bar.param.scene); });
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::separation_scenes_test

@@ -19,7 +19,7 @@
 #include "odas/io/file_descriptor.hpp"
 #include "odas/io/tcp_listener.hpp"
 
-namespace odas::test {
+namespace odas::test::sources_test {
 namespace {
 
 constexpr const char* kNetcat = "/bin/nc";
@@ -277,4 +277,4 @@ TEST(Sources, every_file_of_odas_starts_or_names_what_is_missing) {
 }
 
 }  // namespace
-}  // namespace odas::test
+}  // namespace odas::test::sources_test

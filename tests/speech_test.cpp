@@ -14,7 +14,7 @@
 #include "odas/scene/simulate.hpp"
 #include "odas/scene/truth_file.hpp"
 
-namespace odas {
+namespace odas::speech_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -124,4 +124,4 @@ TEST(SpeechOrNot, what_hums_and_hisses_is_not_speech) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::speech_test

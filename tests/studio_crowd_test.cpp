@@ -13,7 +13,7 @@
 
 #include "odas/studio/hop_ring.hpp"
 
-namespace odas::test {
+namespace odas::test::studio_crowd_test {
 namespace {
 
 using nlohmann::json;
@@ -238,4 +238,4 @@ TEST_F(Crowd, of_nonsense_is_refused_and_said_once) {
 }
 
 }  // namespace
-}  // namespace odas::test
+}  // namespace odas::test::studio_crowd_test

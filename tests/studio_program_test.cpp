@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <sndfile.hh>
 
-namespace odas::test {
+namespace odas::test::studio_program_test {
 namespace {
 
 using nlohmann::json;
@@ -252,4 +252,4 @@ TEST(StudioExamples, are_of_sixty_lines) {
 }
 
 }  // namespace
-}  // namespace odas::test
+}  // namespace odas::test::studio_program_test

@@ -15,7 +15,7 @@
 
 #include "odas/studio/server.hpp"
 
-namespace odas::test {
+namespace odas::test::studio_sound_test {
 namespace {
 
 using nlohmann::json;
@@ -177,4 +177,4 @@ TEST(StudioSound, is_never_under_the_id_of_another) {
 }
 
 }  // namespace
-}  // namespace odas::test
+}  // namespace odas::test::studio_sound_test

@@ -11,7 +11,7 @@
 
 #include "odas/io/tcp_listener.hpp"
 
-namespace odas::test {
+namespace odas::test::targets_test {
 namespace {
 
 /// A port that nobody listens at.
@@ -123,4 +123,4 @@ TEST(Targets, the_command_says_what_is_wrong) {
 }
 
 }  // namespace
-}  // namespace odas::test
+}  // namespace odas::test::targets_test

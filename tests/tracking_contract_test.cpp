@@ -13,7 +13,7 @@
 #include "odas/base/error.hpp"
 #include "odas/tracking/tracker.hpp"
 
-namespace odas {
+namespace odas::tracking_contract_test {
 namespace {
 
 using test::angle_deg;
@@ -206,4 +206,4 @@ TEST(TrackerRegistry, refuses_a_name_that_is_not_there_and_says_which_are) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::tracking_contract_test

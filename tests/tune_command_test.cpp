@@ -7,7 +7,7 @@
 #include "support/scratch.hpp"
 #include <nlohmann/json.hpp>
 
-namespace odas {
+namespace odas::tune_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -131,4 +131,4 @@ TEST_F(Tune, refuses_what_it_cannot_measure_and_says_what_would_do) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::tune_command_test

@@ -18,6 +18,9 @@ struct MicConfig {
   static Schema schema();
 };
 
+/// It passes everything from all around.
+[[nodiscard]] inline bool is_omni(const MicConfig& mic) noexcept { return mic.angle[0] >= 180; }
+
 /// A region of directions that is listened to: `general.spatialfilters[i]`. Several multiply.
 struct SpatialFilterConfig {
   std::array<float, 3> direction{0, 0, 1};

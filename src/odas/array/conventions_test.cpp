@@ -4,7 +4,7 @@
 
 #include "odas/base/vec3.hpp"
 
-namespace odas {
+namespace odas::conventions_test {
 namespace {
 
 TEST(Conventions, Azimuth_turns_from_x_to_y_and_elevation_rises_to_z) {
@@ -29,4 +29,4 @@ TEST(Conventions, Angles_and_directions_are_inverse) {
 TEST(Conventions, The_frame_is_right_handed) { EXPECT_EQ(cross({1, 0, 0}, {0, 1, 0}), (Vec3{0, 0, 1})); }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::conventions_test

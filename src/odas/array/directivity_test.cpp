@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::directivity_test {
 namespace {
 
 Vec3 tilted(float theta_deg) { return {std::sin(radians(theta_deg)), 0, std::cos(radians(theta_deg))}; }
@@ -55,4 +55,4 @@ TEST(Directivity, Takes_the_half_sphere_only_where_no_filter_list_is_given) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::directivity_test

@@ -9,7 +9,7 @@
 
 #include "odas/array/sphere_grid.hpp"
 
-namespace odas {
+namespace odas::doa_error_test {
 namespace {
 
 constexpr double kError = 4e-6;  // s
@@ -122,4 +122,4 @@ TEST(ArrayShape, is_told_from_the_positions) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::doa_error_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::geometry_test {
 namespace {
 
 MicConfig mic(Vec3 p, std::array<float, 3> direction = {0, 0, 1}) {
@@ -67,4 +67,4 @@ TEST(FlatArray, With_depth_is_none) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::geometry_test

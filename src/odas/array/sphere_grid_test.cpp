@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::sphere_grid_test {
 namespace {
 
 TEST(SphereGrid, Has_ten_times_four_to_the_level_plus_two_unit_directions) {
@@ -85,4 +85,4 @@ TEST(SpherePatch, Holds_the_centre_and_directions_no_farther_than_the_neighbour)
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::sphere_grid_test

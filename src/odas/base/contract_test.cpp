@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::contract_test {
 namespace {
 
 TEST(Contract, Says_where_and_what_when_it_is_broken) {
@@ -11,4 +11,4 @@ TEST(Contract, Says_where_and_what_when_it_is_broken) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::contract_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::error_test {
 namespace {
 
 TEST(Fault, Reads_as_compilers_say_it) {
@@ -20,4 +20,4 @@ TEST(ConfigError, Carries_and_says_every_fault) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::error_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::field_test {
 namespace {
 
 struct Leaf {
@@ -70,4 +70,4 @@ TEST(Range, Includes_its_bounds_unless_told_otherwise) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::field_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::grid_test {
 namespace {
 
 TEST(Grid, Begins_with_zeros_and_keeps_rows_apart) {
@@ -41,4 +41,4 @@ TEST(GridView, Does_not_let_a_row_be_read_that_is_not_there) {
 #endif
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::grid_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::host_test {
 namespace {
 
 TEST(Host, this_machine_alone_is_loopback) {
@@ -16,4 +16,4 @@ TEST(Host, this_machine_alone_is_loopback) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::host_test

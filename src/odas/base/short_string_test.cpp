@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::short_string_test {
 namespace {
 
 TEST(ShortString, Holds_what_fits_and_cuts_the_rest) {
@@ -21,4 +21,4 @@ TEST(ShortString, Equals_by_content) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::short_string_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace odas {
+namespace odas::spsc_queue_test {
 namespace {
 
 RC_GTEST_PROP(SpscQueue, behaves_as_a_bounded_deque, (const std::vector<bool>& pushes)) {
@@ -67,4 +67,4 @@ TEST(SpscQueue, keeps_the_memory_of_its_elements) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::spsc_queue_test

@@ -4,7 +4,7 @@
 #include "support/schema_check.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::config_test {
 namespace {
 
 TEST(ClassifyConfigTest, Has_a_sound_schema_and_defaults_within_it) {
@@ -12,4 +12,4 @@ TEST(ClassifyConfigTest, Has_a_sound_schema_and_defaults_within_it) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::config_test

@@ -11,7 +11,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::pitch_classifier_test {
 namespace {
 
 constexpr std::size_t kHop = 128;
@@ -165,4 +165,4 @@ TEST(PitchClassifier, refuses_a_frame_that_it_cannot_use) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::pitch_classifier_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::pitch_test {
 namespace {
 
 /// A sound of ten harmonics, such as a voice has, whose period is `period` samples.
@@ -63,4 +63,4 @@ TEST(PitchDetector, takes_any_peak_where_no_voicing_is_asked_for) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::pitch_test

@@ -11,7 +11,7 @@
 
 #include "odas/array/geometry.hpp"
 
-namespace odas {
+namespace odas::array_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,4 +121,4 @@ TEST_P(ArrayFile, points_the_microphones_of_a_body_out_of_it) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::array_files_test

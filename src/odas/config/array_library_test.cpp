@@ -7,7 +7,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::array_library_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +76,4 @@ TEST(ArrayFolders, hold_the_arrays_of_the_source_tree_for_programs_of_a_build) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::array_library_test

@@ -4,7 +4,7 @@
 
 #include "odas/config/checks.hpp"
 
-namespace odas {
+namespace odas::check_array_test {
 namespace {
 
 using test::clean;
@@ -116,4 +116,4 @@ TEST(CheckArray, wants_covariances_that_are_some) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::check_array_test

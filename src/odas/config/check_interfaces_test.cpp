@@ -3,7 +3,7 @@
 
 #include "odas/config/checks.hpp"
 
-namespace odas {
+namespace odas::check_interfaces_test {
 namespace {
 
 using test::clean;
@@ -178,4 +178,4 @@ TEST(CheckInterfaces, A_block_of_sound_must_fit_a_datagram) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::check_interfaces_test

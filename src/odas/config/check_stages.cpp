@@ -15,7 +15,7 @@ constexpr std::size_t kMaxSlots = 64;
 constexpr std::size_t kMaxTag = 63;                // bytes; what a track holds in place
 constexpr long long kMaxCorrelation = 1LL << 18U;  // lags of a cross-correlation, used or not
 
-std::string item(const std::string& list, std::size_t i) { return list + "[" + std::to_string(i) + "]"; }
+std::string of_list(const std::string& list, std::size_t i) { return list + "[" + std::to_string(i) + "]"; }
 
 long long grid_points(int level) { return 10 * (1LL << (2 * level)) + 2; }
 
@@ -43,9 +43,9 @@ void check_ssl(const Configuration& config, CheckReport& report) {
   if (ssl.scans.empty()) return report.error("ssl.scans", "is empty, must have at least one level");
   for (std::size_t i = 1; i < ssl.scans.size(); ++i) {
     if (ssl.scans[i].level <= ssl.scans[i - 1].level) {
-      report.error(item("ssl.scans", i) + ".level", "is " + std::to_string(ssl.scans[i].level) + " after " +
-                                                        std::to_string(ssl.scans[i - 1].level) +
-                                                        ": levels must rise, from coarse to fine");
+      report.error(of_list("ssl.scans", i) + ".level",
+                   "is " + std::to_string(ssl.scans[i].level) + " after " +
+                       std::to_string(ssl.scans[i - 1].level) + ": levels must rise, from coarse to fine");
     }
   }
   if (report.sound("ssl.nPots") && ssl.n_pots > grid_points(ssl.scans.back().level)) {
@@ -67,9 +67,9 @@ void check_ssl(const Configuration& config, CheckReport& report) {
   }
   for (std::size_t i = 0; i < ssl.scans.size(); ++i) {
     if (ssl.scans[i].delta > lags / 2) {
-      report.error(item("ssl.scans", i) + ".delta", "is " + std::to_string(ssl.scans[i].delta) +
-                                                        ", more than half of the correlation (" +
-                                                        std::to_string(lags / 2) + ")");
+      report.error(of_list("ssl.scans", i) + ".delta", "is " + std::to_string(ssl.scans[i].delta) +
+                                                           ", more than half of the correlation (" +
+                                                           std::to_string(lags / 2) + ")");
     }
   }
 }
@@ -89,7 +89,7 @@ void check_targets(const SstConfig& sst, CheckReport& report) {
   std::set<std::string> tags;
   for (std::size_t i = 0; i < sst.target.size(); ++i) {
     const TargetConfig& target = sst.target[i];
-    const std::string path = item("sst.target", i);
+    const std::string path = of_list("sst.target", i);
     if (!report.sound(path)) continue;
     if (target.tag.empty()) {
       report.error(path + ".tag", "is empty: every target needs a name");

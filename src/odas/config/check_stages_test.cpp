@@ -3,7 +3,7 @@
 
 #include "odas/config/checks.hpp"
 
-namespace odas {
+namespace odas::check_stages_test {
 namespace {
 
 using test::clean;
@@ -117,4 +117,4 @@ TEST(CheckStages, want_a_range_of_pitch) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::check_stages_test

@@ -3,7 +3,7 @@
 
 #include "support/config_faults.hpp"
 
-namespace odas {
+namespace odas::checks_test {
 namespace {
 
 TEST(Checks, find_nothing_in_the_least_configuration) { EXPECT_TRUE(test::clean(test::read_with(""))); }
@@ -40,4 +40,4 @@ TEST(Checks, want_only_what_somebody_listens_to) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::checks_test

@@ -3,7 +3,7 @@
 
 #include "support/config_faults.hpp"
 
-namespace odas {
+namespace odas::defaults_test {
 namespace {
 
 TEST(Defaults, of_outputs_are_the_rate_and_hop_of_the_processing) {
@@ -40,4 +40,4 @@ TEST(Defaults, name_only_keys_that_are_there) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::defaults_test

@@ -3,7 +3,7 @@
 
 #include "support/config_faults.hpp"
 
-namespace odas {
+namespace odas::describe_test {
 namespace {
 
 Pipeline::Plan some_plan() {
@@ -97,4 +97,4 @@ sss: { separated: { interface: { type = "file"; path = "voices.wav"; }; }; };)")
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::describe_test

@@ -3,7 +3,7 @@
 
 #include "support/config_faults.hpp"
 
-namespace odas {
+namespace odas::edit_test {
 namespace {
 
 std::string edited(std::string_view text) { return with_setting(text, "sst", "active", "(NEW)"); }
@@ -56,4 +56,4 @@ TEST(Edit, gives_a_text_that_reads_as_it_was_meant) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::edit_test

@@ -6,7 +6,7 @@
 
 #include "odas/config/reader.hpp"
 
-namespace odas {
+namespace odas::hostile_test {
 namespace {
 
 const std::string& whole() {
@@ -119,4 +119,4 @@ TEST(Hostile, text_that_is_not_UTF8_is_carried_or_refused) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::hostile_test

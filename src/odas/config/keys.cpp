@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "odas/base/overloaded.hpp"
 #include "odas/config/phrases.hpp"
 #include "odas/engine/config.hpp"
 
@@ -15,13 +16,6 @@ struct Key {
   const Field* field;
   std::string standard;  // the default
 };
-
-template <class... F>
-struct Overloaded : F... {
-  using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 template <class Range, class Text>
 std::string list_text(const Range& values, Text text) {

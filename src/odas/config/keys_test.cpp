@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::keys_test {
 namespace {
 
 TEST(Keys, are_described_with_default_range_and_meaning) {
@@ -45,4 +45,4 @@ TEST(Keys, stand_in_the_documentation_as_the_schema_has_them) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::keys_test

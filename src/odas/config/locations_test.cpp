@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::locations_test {
 namespace {
 
 Locations some_lines() {
@@ -43,4 +43,4 @@ TEST(Locations, leave_alone_what_has_a_line_already) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::locations_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::nearest_test {
 namespace {
 
 constexpr std::array<std::string_view, 4> kWords{"hopSize", "frameSize", "nPots", "b"};
@@ -37,4 +37,4 @@ TEST(Nearest, is_silent_where_nothing_is_near) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::nearest_test

@@ -10,7 +10,7 @@
 
 #include "odas/config/describe.hpp"
 
-namespace odas {
+namespace odas::noise_file_test {
 namespace {
 
 using test::Machine;
@@ -122,4 +122,4 @@ TEST_F(NoiseFile, is_read_from_beside_the_configuration_and_must_fit_it) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::noise_file_test

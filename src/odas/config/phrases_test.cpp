@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::phrases_test {
 namespace {
 
 TEST(Phrases, write_numbers_as_a_user_would) {
@@ -36,4 +36,4 @@ TEST(Phrases, list_choices_with_an_or_before_the_last) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::phrases_test

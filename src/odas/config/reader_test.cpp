@@ -6,7 +6,7 @@
 
 #include "support/config_faults.hpp"
 
-namespace odas {
+namespace odas::reader_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -131,4 +131,4 @@ TEST(Reader, loads_the_configurations_of_the_scenes) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::reader_test

@@ -8,6 +8,7 @@
 
 #include <libconfig.h++>
 
+#include "odas/base/overloaded.hpp"
 #include "odas/config/keys.hpp"
 #include "odas/config/nearest.hpp"
 #include "odas/config/phrases.hpp"
@@ -19,13 +20,6 @@ using libconfig::Setting;
 namespace {
 
 constexpr std::array<std::string_view, 1> kIgnoredAtTheTop{"version"};  // in all of ODAS's files, never read
-
-template <class... F>
-struct Overloaded : F... {
-  using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 std::string child_path(const std::string& path, std::string_view key) {
   return path.empty() ? std::string(key) : path + "." + std::string(key);

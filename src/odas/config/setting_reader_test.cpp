@@ -4,7 +4,7 @@
 
 #include "support/config_faults.hpp"
 
-namespace odas {
+namespace odas::setting_reader_test {
 namespace {
 
 using test::clean;
@@ -136,4 +136,4 @@ sst: { N_inactive = [10, 20]; target = ( { tag = "fan"; x = 0; y = 0.5; z = 1.0;
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::setting_reader_test

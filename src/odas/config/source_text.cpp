@@ -57,7 +57,7 @@ std::optional<std::string> read_bytes(const fs::path& path, std::string& why) {
   return bytes;
 }
 
-bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '*'; }
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '*'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// A number as libconfig reads it rightly: whole numbers beyond 32 bits become floats.
@@ -206,9 +206,9 @@ class SourceScanner {
     } else if (const std::size_t digits = number_length(rest); digits > 0) {
       write(safe_number(std::string(rest.substr(0, digits))));
       return digits;
-    } else if (is_name(rest[0])) {
+    } else if (is_word(rest[0])) {
       std::size_t length = 1;
-      while (length < rest.size() && (is_name(rest[length]) || rest[length] == '-')) ++length;
+      while (length < rest.size() && (is_word(rest[length]) || rest[length] == '-')) ++length;
       return write(rest.substr(0, length));
     }
     return write(rest.substr(0, 1));
@@ -233,7 +233,7 @@ class SourceScanner {
     while (n < rest.size()) {
       const bool exponent_sign =
           (rest[n] == '-' || rest[n] == '+') && (rest[n - 1] == 'e' || rest[n - 1] == 'E');
-      if (!is_name(rest[n]) && rest[n] != '.' && !exponent_sign) break;
+      if (!is_word(rest[n]) && rest[n] != '.' && !exponent_sign) break;
       ++n;
     }
     return n;

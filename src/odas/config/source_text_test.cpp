@@ -6,7 +6,7 @@
 #include "support/scratch.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::source_text_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -153,4 +153,4 @@ TEST_F(SourceFiles, refuse_what_is_no_configuration) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::source_text_test

@@ -4,7 +4,7 @@
 #include "support/wave_field.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::cholesky_test {
 namespace {
 
 /// [row][column] of x x^H of several x: Hermitian, of full rank.
@@ -54,4 +54,4 @@ TEST(Whiten, makes_a_sound_white_and_gives_its_power) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::cholesky_test

@@ -12,7 +12,7 @@ namespace {
 constexpr float kSilence = 1.F / 16384;  // of full scale: quieter is not played
 constexpr float kLoudest = 1000;         // of full scale: what no converter gives counts as not finite
 constexpr float kFirstVariance = 0.01F;  // of a partition: together an echo half as loud as what is played
-constexpr float kTiny = 1e-12F;
+constexpr float kTinyEcho = 1e-12F;
 constexpr double kDriftTime = 15;        // s, in which a path becomes another one
 constexpr double kNearTime = 0.05;       // s, over which the power of others is followed
 constexpr double kLossTime = 3;          // s, over which the return loss is told
@@ -161,13 +161,13 @@ void EchoCanceller::judge() noexcept {
     error_power_[k] = near_memory_ * error_power_[k] + weight * error;
     echo_power_[k] = near_memory_ * echo_power_[k] + weight * echo;
     cross_[k] = near_memory_ * cross_[k] + weight * cross;
-    const float coherent = std::norm(cross_[k]) / (echo_power_[k] + kTiny);
+    const float coherent = std::norm(cross_[k]) / (echo_power_[k] + kTinyEcho);
     near_[k] = std::max(error_power_[k] - coherent, 0.F);
   }
 }
 
 void EchoCanceller::learn() noexcept {
-  for (std::size_t k = 0; k < gain_.size(); ++k) gain_[k] = 1 / (spread_[k] + near_[k] + kTiny);
+  for (std::size_t k = 0; k < gain_.size(); ++k) gain_[k] = 1 / (spread_[k] + near_[k] + kTinyEcho);
   for (std::size_t b = 0; b < variance_.rows(); ++b) {
     const std::span<const cfloat> x = reference(b);
     const std::span<float> p = variance_[b];

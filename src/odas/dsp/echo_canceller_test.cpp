@@ -8,7 +8,7 @@
 #include "support/allocation_counter.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::echo_canceller_test {
 namespace {
 
 constexpr int kRate = 16000;
@@ -249,4 +249,4 @@ TEST(EchoCanceller, allocates_nothing) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::echo_canceller_test

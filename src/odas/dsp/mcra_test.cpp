@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::mcra_test {
 namespace {
 
 constexpr std::size_t kBins = 65;
@@ -188,4 +188,4 @@ TEST(Mcra, begins_from_what_is_known_of_the_noise) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::mcra_test

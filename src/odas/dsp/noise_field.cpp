@@ -6,6 +6,7 @@
 
 #include "odas/base/contract.hpp"
 #include "odas/dsp/cholesky.hpp"
+#include "odas/dsp/tiny_power.hpp"
 
 namespace odas {
 namespace {
@@ -17,7 +18,6 @@ constexpr float kUnlikeSeconds = 8;   // in which the unknown becomes noise
 constexpr float kLead = 0.01F;        // nats a bin by which a rival must be likelier
 constexpr float kScoreMemory = 0.8F;  // of the entry, which is asked in each hop
 constexpr float kRivalMemory = 0.5F;  // of a rival, which is asked now and then
-constexpr float kTiny = 1e-30F;
 
 bool is_sound(GridView<const cfloat> spectra) noexcept {
   float power = 0;
@@ -120,7 +120,7 @@ void NoiseField::renew(std::size_t bin) noexcept {
   const std::span<const cfloat> known = dictionary_.scm(entry_, bin);
   const cfloat* live = live_.data() + bin * size;
   cfloat* field = field_.data() + bin * size;
-  float known_power = kTiny;
+  float known_power = kTinyPower;
   float live_power = 0;
   for (std::size_t m = 0; m < mics_; ++m) {
     known_power += known[m * mics_ + m].real();
@@ -131,7 +131,7 @@ void NoiseField::renew(std::size_t bin) noexcept {
   const auto prior = 2 * static_cast<float>(mics_);
   const float of_live = heard_ / (heard_ + prior);
   const float of_known = level * prior / (heard_ + prior);
-  float power = kTiny;
+  float power = kTinyPower;
   for (std::size_t i = 0; i < size; ++i) field[i] = of_live * live[i] + of_known * known[i];
   for (std::size_t m = 0; m < mics_; ++m) power += field[m * mics_ + m].real() / static_cast<float>(mics_);
   for (std::size_t m = 0; m < mics_; ++m) field[m * mics_ + m] += kLoading * power;

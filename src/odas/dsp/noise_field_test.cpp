@@ -9,7 +9,7 @@
 #include "support/machine_noise.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::noise_field_test {
 namespace {
 
 using test::Machine;
@@ -151,4 +151,4 @@ TEST(NoiseField, is_new_after_a_reset_the_same_each_time_and_allocates_nothing) 
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::noise_field_test

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "odas/base/contract.hpp"
+#include "odas/dsp/tiny_power.hpp"
 
 namespace odas {
 namespace {
@@ -17,7 +18,6 @@ constexpr std::size_t kMostHops = 512;      // kept
 constexpr double kWorth = 0.02;             // nats a bin that one more entry must bring
 constexpr int kRounds = 6;                  // of assignment and mean
 constexpr double kUneven = 2.5;             // dB
-constexpr float kTiny = 1e-30F;
 
 double power_of(GridView<const cfloat> spectra, BinRange bins) noexcept {
   double power = 0;
@@ -117,7 +117,7 @@ NoiseLearner::Scm NoiseLearner::mean_of(const std::vector<std::size_t>& owner, s
     for (std::size_t s = 0; s < segments_.size(); ++s) {
       if (owner[s] != entry) continue;
       const cfloat* r = segments_[s].scm.data() + k * size;
-      float trace = kTiny;
+      float trace = kTinyPower;
       for (std::size_t m = 0; m < mics; ++m) trace += r[m * mics + m].real();
       for (std::size_t i = 0; i < size; ++i) mean[k * size + i] += r[i] / trace;
       power += static_cast<double>(trace);

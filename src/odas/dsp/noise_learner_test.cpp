@@ -7,7 +7,7 @@
 #include "support/machine_noise.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::noise_learner_test {
 namespace {
 
 using test::Machine;
@@ -72,4 +72,4 @@ TEST(NoiseLearner, passes_over_what_is_silent_or_not_finite) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::noise_learner_test

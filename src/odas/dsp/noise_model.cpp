@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "odas/dsp/cholesky.hpp"
+#include "odas/dsp/tiny_power.hpp"
 
 namespace odas {
 namespace {
 
-constexpr float kLoading = 1e-3F;  // of the trace: no null is deeper than 30 dB
-constexpr float kTiny = 1e-30F;
+constexpr float kDeepest = 1e-3F;  // of the trace: no null is deeper than 30 dB
 
 }  // namespace
 
@@ -30,9 +30,9 @@ NoiseModel::NoiseModel(std::span<const cfloat> scm, std::size_t mics, BinRange b
   Grid<cfloat> columns(mics, mics);  // of L^-1
   for (std::size_t k = 0; k < scm.size() / size; ++k) {
     std::copy_n(scm.begin() + static_cast<std::ptrdiff_t>(k * size), size, factor.begin());
-    float trace = kTiny;
+    float trace = kTinyPower;
     for (std::size_t m = 0; m < mics; ++m) trace += factor[m * mics + m].real();
-    for (std::size_t m = 0; m < mics; ++m) factor[m * mics + m] += kLoading * trace;
+    for (std::size_t m = 0; m < mics; ++m) factor[m * mics + m] += kDeepest * trace;
     cholesky(factor, mics, 1e-6F * trace);
     double log_determinant = 0;  // of L: the product of its diagonal
     columns.fill({});
@@ -56,8 +56,8 @@ float NoiseModel::likeness(GridView<const cfloat> spectra) const noexcept {
   double sum = 0;
   for (std::size_t k = bins_.first; k <= bins_.last; ++k) {
     const cfloat* inverse = inverses_.data() + k * mics_ * mics_;
-    float power = kTiny;
-    float white = kTiny;
+    float power = kTinyPower;
+    float white = kTinyPower;
     for (std::size_t i = 0; i < mics_; ++i) {
       const cfloat x = spectra[i][k];
       cfloat others{};
@@ -65,7 +65,7 @@ float NoiseModel::likeness(GridView<const cfloat> spectra) const noexcept {
       power += std::norm(x);
       white += inverse[i * mics_ + i].real() * std::norm(x) + 2 * (std::conj(x) * others).real();
     }
-    sum += static_cast<double>(std::log(power / std::max(white, kTiny)));
+    sum += static_cast<double>(std::log(power / std::max(white, kTinyPower)));
   }
   return static_cast<float>(sum / static_cast<double>(bins_.last - bins_.first + 1));
 }
@@ -76,11 +76,11 @@ float NoiseModel::likeness(std::span<const cfloat> scm) const noexcept {
   for (std::size_t k = bins_.first; k <= bins_.last; ++k) {
     const cfloat* inverse = inverses_.data() + k * size;
     const cfloat* r = scm.data() + k * size;
-    float power = kTiny;
-    float white = kTiny;  // tr(D^-1 R), of two Hermitian matrices
+    float power = kTinyPower;
+    float white = kTinyPower;  // tr(D^-1 R), of two Hermitian matrices
     for (std::size_t i = 0; i < size; ++i) white += (inverse[i] * std::conj(r[i])).real();
     for (std::size_t m = 0; m < mics_; ++m) power += r[m * mics_ + m].real();
-    sum += static_cast<double>(std::log(power / std::max(white, kTiny)));
+    sum += static_cast<double>(std::log(power / std::max(white, kTinyPower)));
   }
   return static_cast<float>(sum / static_cast<double>(bins_.last - bins_.first + 1));
 }

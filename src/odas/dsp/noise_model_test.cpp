@@ -7,7 +7,7 @@
 #include "support/machine_noise.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::noise_model_test {
 namespace {
 
 using test::Machine;
@@ -76,4 +76,4 @@ TEST(NoiseModel, of_what_is_not_finite_is_not_finite) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::noise_model_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::real_fft_test {
 namespace {
 
 class RealFftSizes : public ::testing::TestWithParam<std::size_t> {};
@@ -52,4 +52,4 @@ TEST_P(RealFftSizes, Inverse_undoes_forward) {
 INSTANTIATE_TEST_SUITE_P(Sizes, RealFftSizes, ::testing::Values(2, 6, 90, 256, 882, 1024));
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::real_fft_test

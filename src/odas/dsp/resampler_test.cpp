@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace odas {
+namespace odas::resampler_test {
 namespace {
 
 using Signal = std::vector<std::vector<float>>;  // [channel][sample]
@@ -138,4 +138,4 @@ TEST(Resampler, is_new_after_reset) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::resampler_test

@@ -7,7 +7,7 @@
 
 #include "odas/dsp/window.hpp"
 
-namespace odas {
+namespace odas::stft_test {
 namespace {
 
 struct Sizes {
@@ -79,4 +79,4 @@ TEST(Istft, An_empty_channel_rings_out_and_then_is_silent) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::stft_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::window_test {
 namespace {
 
 TEST(Window, Root_hann_is_symmetric_with_zero_ends) {
@@ -44,4 +44,4 @@ TEST(Window, Synthesis_without_overlap_fades_at_the_ends_of_a_frame_and_amplifie
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::window_test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -22,6 +23,9 @@ struct ReadResult {
   std::string notice{};
 };
 
+/// The longest that one read of a live source waits, so that the program stays able to stop.
+inline constexpr std::chrono::milliseconds kReadPatience{100};
+
 /// Where the microphones come from: a file, a sound card, a socket. Full scale is 1.
 class AudioSource {
  public:
@@ -37,7 +41,7 @@ class AudioSource {
   [[nodiscard]] virtual std::optional<std::uint64_t> total_frames() const noexcept { return std::nullopt; }
 
   /// Fills `block` [channel][frame]. A recording fills all of it until its end; a live source gives what it
-  /// has within a tenth of a second, which may be nothing, so that the program stays able to stop.
+  /// has within kReadPatience, which may be nothing.
   [[nodiscard]] virtual ReadResult read(GridView<float> block) = 0;
 
   /// The run is over, for whatever reason; nothing is read any more. What could not be kept is said.

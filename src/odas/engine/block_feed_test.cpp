@@ -4,7 +4,7 @@
 #include "support/fake_io.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::block_feed_test {
 namespace {
 
 /// The numbers of frames of all blocks of 100 that a feed of 250 frames gives.
@@ -119,4 +119,4 @@ TEST(BlockFeed, takes_an_exception_of_a_source_as_its_failure) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::block_feed_test

@@ -10,7 +10,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::front_end_test {
 namespace {
 
 double power(std::span<const float> x) {
@@ -199,4 +199,4 @@ TEST(FrontEnd, allocates_nothing_for_a_block) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::front_end_test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace odas {
+namespace odas::gap_plan_test {
 namespace {
 
 TEST(GapPlan, bridges_a_short_gap_with_silence_alone) {
@@ -45,4 +45,4 @@ RC_GTEST_PROP(GapPlan, never_drifts_however_many_gaps_there_are, ()) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::gap_plan_test

@@ -10,7 +10,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::hop_loop_test {
 namespace {
 
 TEST(HopLoop, gives_a_result_for_each_hop_and_counts_them) {
@@ -130,4 +130,4 @@ TEST(HopLoop, allocates_nothing_once_it_runs) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::hop_loop_test

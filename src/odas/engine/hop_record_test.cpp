@@ -5,7 +5,7 @@
 #include "support/fake_io.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::hop_record_test {
 namespace {
 
 test::HopOfHand some_hop(const PipelineConfig& config) {
@@ -77,4 +77,4 @@ TEST(HopRecord, allocates_nothing_for_a_hop) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::hop_record_test

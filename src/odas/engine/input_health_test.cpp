@@ -5,7 +5,7 @@
 #include "support/fake_io.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::input_health_test {
 namespace {
 
 using Warnings = std::vector<std::string>;
@@ -114,4 +114,4 @@ TEST(InputHealth, allocates_nothing_while_watching) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::input_health_test

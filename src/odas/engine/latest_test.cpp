@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::latest_test {
 namespace {
 
 struct Pair {
@@ -40,4 +40,4 @@ TEST(Latest, never_gives_half_a_value_nor_an_older_one_after_a_newer) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::latest_test

@@ -11,7 +11,7 @@
 
 #include "odas/engine/offline.hpp"
 
-namespace odas {
+namespace odas::live_test {
 namespace {
 
 /// Two talkers would do no better: the noise of two channels is common, so that potentials and tracks come.
@@ -168,4 +168,4 @@ TEST(RunLive, steps_over_what_the_source_has_lost_as_the_run_without_threads) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::live_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace odas {
+namespace odas::metrics_test {
 namespace {
 
 using std::chrono::nanoseconds;
@@ -50,4 +50,4 @@ TEST(Metrics, real_time_share_is_time_spent_over_time_heard) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::metrics_test

@@ -6,7 +6,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::offline_test {
 namespace {
 
 struct SmallRun {
@@ -113,4 +113,4 @@ TEST(RunOffline, keeps_the_stamps_right_over_what_the_source_has_lost) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::offline_test

@@ -5,7 +5,7 @@
 #include "support/fake_io.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::pipeline_inbox_test {
 namespace {
 
 TEST(PipelineInbox, puts_a_new_pipeline_into_the_place_of_the_running_one_without_an_allocation) {
@@ -38,4 +38,4 @@ TEST(PipelineInbox, puts_a_new_pipeline_into_the_place_of_the_running_one_withou
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::pipeline_inbox_test

@@ -4,7 +4,7 @@
 #include "support/fake_io.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::run_report_test {
 namespace {
 
 TEST(HealthWatch, tells_what_is_wrong_while_the_run_goes_on) {
@@ -46,4 +46,4 @@ TEST(FinishSummary, keeps_what_was_lost_and_warns_of_it) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::run_report_test

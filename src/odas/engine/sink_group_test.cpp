@@ -6,7 +6,7 @@
 #include "support/fake_io.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::sink_group_test {
 namespace {
 
 HopResult hop(HopIndex time) { return {time, {}, {}, {}, {}}; }
@@ -85,4 +85,4 @@ TEST(SinkGroup, warns_of_clipped_samples) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::sink_group_test

@@ -6,7 +6,7 @@
 
 #include "odas/engine/config.hpp"
 
-namespace odas {
+namespace odas::source_config_test {
 namespace {
 
 TEST(SourceConfig, Has_a_sound_schema_and_defaults_within_it) {
@@ -26,4 +26,4 @@ TEST(SourceConfig, Knows_every_kind_of_source_that_ODAS_knows) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::source_config_test

@@ -4,7 +4,7 @@
 #include "support/schema_check.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::studio_config_test {
 namespace {
 
 TEST(StudioConfig, Has_a_sound_schema_and_defaults_within_it) {
@@ -15,4 +15,4 @@ TEST(StudioConfig, Has_a_sound_schema_and_defaults_within_it) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::studio_config_test

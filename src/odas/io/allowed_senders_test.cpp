@@ -5,7 +5,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::allowed_senders_test {
 namespace {
 
 NetAddress address(const std::string& host) {
@@ -44,4 +44,4 @@ TEST(AllowedSenders, a_name_without_an_address_is_said) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::allowed_senders_test

@@ -7,7 +7,7 @@
 #include "support/scratch.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::alsa_devices_test {
 namespace {
 
 class FakePcm : public AlsaPcm {
@@ -78,4 +78,4 @@ TEST(AlsaDevices, are_those_that_show_themselves_and_are_no_converters) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::alsa_devices_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::alsa_pcm_test {
 namespace {
 
 TEST(AlsaPcm, says_why_it_cannot_be_opened) {
@@ -37,4 +37,4 @@ TEST(AlsaPcm, captures_in_any_format_and_number_of_channels) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::alsa_pcm_test

@@ -14,10 +14,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr auto kPatience = milliseconds(100);  // of one read, so that the program can stop
 constexpr auto kFirstPause = milliseconds(100), kLongestPause = milliseconds(3000);
-constexpr auto kSilence = std::chrono::seconds(5);    // a card that gives nothing for so long hangs
-constexpr auto kSayAgain = std::chrono::seconds(10);  // overruns come in flocks
+constexpr auto kHangsAfter = std::chrono::seconds(5);  // a card that gives nothing for so long hangs
+constexpr auto kSayAgain = std::chrono::seconds(10);   // overruns come in flocks
 
 }  // namespace
 
@@ -62,7 +61,7 @@ AlsaSource::Refusal AlsaSource::open() {
 
 ReadResult AlsaSource::read(GridView<float> block) {
   ReadResult result;
-  const Clock::time_point deadline = world_.now() + kPatience;
+  const Clock::time_point deadline = world_.now() + kReadPatience;
   bytes_.resize(block.cols() * channels_ * bytes_of(format_));  // grows once
   while (result.frames == 0) {
     if (!pcm_) {
@@ -85,7 +84,7 @@ ReadResult AlsaSource::read(GridView<float> block) {
     int error = static_cast<int>(got);
     if (error == -EINTR) return result;  // a signal: perhaps the program is to stop
     if (error == 0 || error == -EAGAIN) {
-      if (now - alive_ > kSilence) {
+      if (now - alive_ > kHangsAfter) {
         give_up("gives no sound any more", result);
         return result;
       }
@@ -125,7 +124,7 @@ void AlsaSource::recover(int error, ReadResult& result) {
   const int recovered = pcm_->recover(error == 0 ? -ESTRPIPE : error);
   if (recovered == -EAGAIN) {
     result.lost += away_.take(world_.now());
-    world_.sleep(kPatience / 2);
+    world_.sleep(kReadPatience / 2);
     return;
   }
   const int started = recovered < 0 ? recovered : pcm_->start();
@@ -161,7 +160,7 @@ void AlsaSource::give_up(const std::string& why, ReadResult& result) {
 void AlsaSource::reopen(ReadResult& result) {
   const Clock::time_point now = world_.now();
   if (now < next_try_) {
-    world_.sleep(std::min<Clock::duration>(next_try_ - now, kPatience));
+    world_.sleep(std::min<Clock::duration>(next_try_ - now, kReadPatience));
     result.lost += away_.take(world_.now());
     return;
   }

@@ -9,7 +9,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::alsa_source_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -262,4 +262,4 @@ TEST(AlsaSource, says_who_holds_the_card_what_is_missing_and_what_is_forbidden) 
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::alsa_source_test

@@ -12,7 +12,7 @@ namespace {
 
 using Anchor = Canvas::Anchor;
 
-constexpr Ink kDark{0.13, 0.16, 0.2, 1}, kGrey{0.45, 0.5, 0.55, 1}, kFaint{0.86, 0.88, 0.9, 1};
+constexpr Ink kDark{0.13, 0.16, 0.2, 1};
 constexpr Ink kBlue{0.1, 0.38, 0.7, 1}, kRed{0.8, 0.24, 0.16, 1};
 constexpr double kPanel = 400;  // width of a panel
 constexpr double kMargin = 22;  // of a view's panel, for the numbers

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::array_drawing_test {
 namespace {
 
 std::string drawn(const std::vector<Vec3>& positions) {
@@ -54,4 +54,4 @@ TEST(ArrayDrawing, stays_on_its_page_whatever_the_array) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::array_drawing_test

@@ -8,7 +8,7 @@
 #include "support/fake_io.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::audio_sink_test {
 namespace {
 
 /// Keeps the records that it is given, elsewhere than in the sink that owns it.
@@ -188,4 +188,4 @@ TEST(AudioSink, allocates_nothing_for_a_hop) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::audio_sink_test

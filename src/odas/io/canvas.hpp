@@ -11,7 +11,7 @@ namespace odas {
 struct Ink {
   double red = 0, green = 0, blue = 0, alpha = 1;
 };
-inline constexpr Ink kNoInk{0, 0, 0, 0};
+inline constexpr Ink kNoInk{0, 0, 0, 0}, kGrey{0.45, 0.5, 0.55, 1}, kFaint{0.86, 0.88, 0.9, 1};
 
 struct Spot {
   double x = 0, y = 0;  // points, from the upper left corner

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::canvas_test {
 namespace {
 
 TEST(SvgCanvas, is_a_whole_document_of_its_size) {
@@ -34,4 +34,4 @@ TEST(SvgCanvas, draws_lines_areas_circles_and_words) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::canvas_test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace odas {
+namespace odas::capture_devices_test {
 namespace {
 
 std::vector<CaptureDevice> three() {
@@ -57,4 +57,4 @@ TEST(CaptureDevices, are_JSON_for_programs) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::capture_devices_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::capture_offer_test {
 namespace {
 
 using F = SampleFormat;
@@ -87,4 +87,4 @@ TEST(CaptureOffer, tells_of_formats_that_odas_cannot_read) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::capture_offer_test

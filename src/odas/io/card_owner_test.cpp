@@ -4,7 +4,7 @@
 #include "support/scratch.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::card_owner_test {
 namespace {
 
 TEST(CardOwner, is_the_program_that_captures) {
@@ -31,4 +31,4 @@ TEST(CardOwner, is_nobody_where_it_cannot_be_told) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::card_owner_test

@@ -6,7 +6,7 @@
 #include "support/scratch.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::device_list_test {
 namespace {
 
 // With devices it is tested in tests/capture_test.cpp.
@@ -28,4 +28,4 @@ TEST(DeviceList, asks_for_one_that_is_not_there) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::device_list_test

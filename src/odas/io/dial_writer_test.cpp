@@ -4,7 +4,7 @@
 #include "support/net_peer.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::dial_writer_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -142,4 +142,4 @@ TEST(DialWriter, what_the_peer_says_is_no_trouble) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::dial_writer_test

@@ -7,7 +7,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::file_writer_test {
 namespace {
 
 TEST(FileWriter, has_its_records_in_the_file_after_a_flush_and_not_only_at_the_end) {
@@ -96,4 +96,4 @@ TEST(FileWriter, allocates_nothing_for_a_record) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::file_writer_test

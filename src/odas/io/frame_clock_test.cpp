@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::frame_clock_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -23,4 +23,4 @@ TEST(FrameClock, gives_each_frame_once) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::frame_clock_test

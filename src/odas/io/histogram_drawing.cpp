@@ -11,8 +11,7 @@
 namespace odas {
 namespace {
 
-constexpr Ink kGrey{0.45, 0.5, 0.55, 1}, kFaint{0.86, 0.88, 0.9, 1};
-constexpr Ink kSilence{0.45, 0.5, 0.55, 1}, kTalk{0.1, 0.38, 0.7, 1}, kMark{0.8, 0.24, 0.16, 1};
+constexpr Ink kTalk{0.1, 0.38, 0.7, 1}, kMark{0.8, 0.24, 0.16, 1};
 constexpr double kLeft = 60, kRight = kHistogramWidth - 30, kTop = 96, kBottom = kHistogramHeight - 60;
 
 /// Energies to the right; heights as parts of the tallest, which each curve has for itself: shapes are
@@ -89,17 +88,17 @@ void draw_histograms(Canvas& canvas, const std::string& title, const Heard& sile
   const double low = std::min(0.0, silence.strongest.quantile(0.001)) - 0.02;
   const double high = std::max(talk.strongest.quantile(0.999), silence.strongest.quantile(0.999)) + 0.05;
   canvas.text({kLeft, 36}, title, {.size = 17, .bold = true});
-  canvas.text({kLeft, 58}, "silence", {.size = 12, .bold = true, .ink = kSilence});
+  canvas.text({kLeft, 58}, "silence", {.size = 12, .bold = true, .ink = kGrey});
   canvas.text({kLeft + 60, 58}, "and talk", {.size = 12, .bold = true, .ink = kTalk});
   canvas.text({kLeft + 125, 58},
               "as bars; the mixtures inactive and active as lines; each as high as its tallest",
               {.size = 11, .ink = kGrey});
   Plot plot(canvas, low, high);
   plot.axis();
-  plot.bars(silence.strongest, kSilence);
+  plot.bars(silence.strongest, kGrey);
   plot.bars(talk.strongest, kTalk);
   if (found.active.empty()) return;
-  plot.curve(found.inactive, kSilence);
+  plot.curve(found.inactive, kGrey);
   plot.curve(found.active, kTalk);
   plot.mark(threshold);
 }

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::histogram_drawing_test {
 namespace {
 
 TEST(HistogramDrawing, shows_both_histograms_the_mixtures_and_where_they_part) {
@@ -30,4 +30,4 @@ TEST(HistogramDrawing, draws_what_there_is_where_nothing_was_found) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::histogram_drawing_test

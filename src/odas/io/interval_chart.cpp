@@ -10,7 +10,6 @@
 namespace odas {
 namespace {
 
-constexpr Ink kGrey{0.45, 0.5, 0.55, 1}, kFaint{0.86, 0.88, 0.9, 1};
 constexpr std::array kInks{Ink{0.1, 0.38, 0.7, 1}, Ink{0.85, 0.45, 0.1, 1}, Ink{0.2, 0.6, 0.35, 1},
                            Ink{0.6, 0.3, 0.65, 1}};
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::interval_chart_test {
 namespace {
 
 /// Keeps what is drawn.
@@ -69,4 +69,4 @@ TEST(IntervalChart, Stays_in_its_rectangle_whatever_the_values) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::interval_chart_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace odas {
+namespace odas::json_cutter_test {
 namespace {
 
 /// "{...}" of what is good, "!fault <excerpt>" of what is not, in pieces of `size` bytes.
@@ -76,4 +76,4 @@ RC_GTEST_PROP(JsonCutter, cuts_alike_however_the_stream_is_chopped,
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::json_cutter_test

@@ -15,7 +15,6 @@ constexpr Wanted kTracksWithEnergy{
 /// How far a potential may be from the track whose energy it tells: about the error of a small array in a
 /// room.
 constexpr float kNear = 15;  // degrees
-constexpr std::size_t kUsualSize = 4096;
 constexpr std::size_t kFrameSize = 192;
 constexpr std::size_t kRowSize =
     192 + 2 * TextBuffer::kIntegerSize + TextBuffer::quoted_size(63) + 9 * TextBuffer::kFixedSize;
@@ -110,7 +109,7 @@ class JsonLinesPotentials : public HopEncoder {
 
  private:
   StreamClock clock_;
-  TextBuffer text_{kUsualSize};
+  TextBuffer text_{TextBuffer::kUsualSize};
 };
 
 /// The class, where somebody has asked for it.
@@ -183,7 +182,7 @@ class JsonLinesSlots : public HopEncoder {
   StreamClock clock_;
   Wanted wanted_;
   Put put_;
-  TextBuffer text_{kUsualSize};
+  TextBuffer text_{TextBuffer::kUsualSize};
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "odas/io/hop_encoder.hpp"
 
-namespace odas {
+namespace odas::json_lines_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -129,4 +129,4 @@ TEST(JsonLines, allocates_nothing_for_a_hop) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::json_lines_test

@@ -16,7 +16,7 @@ namespace {
 // Some two seconds of hops of 8 ms: a disk may look away for as long.
 constexpr std::size_t kQueueLength = 256;
 constexpr auto kFlushPeriod = std::chrono::milliseconds(900);
-constexpr auto kSayAgain = std::chrono::seconds(10);
+constexpr auto kRemindAfter = std::chrono::seconds(10);
 
 /// Bits that hold all that the source can say.
 int kept_bits(const RawConfig& raw) { return raw.format == "auto" ? 32 : bits_of(stream_format(raw)); }
@@ -45,7 +45,7 @@ ReadResult KeptSource::read(GridView<float> block) {
     if (kept == nullptr) {
       silence_ += result.frames;
       unkept_ += result.frames;
-      if (Clock::now() - said_ > kSayAgain) {
+      if (Clock::now() - said_ > kRemindAfter) {
         said_ = Clock::now();
         result.notice += (result.notice.empty() ? "" : "; ") + ("raw.record: " + writer_->where()) +
                          " is too slow: " + std::to_string(unkept_) + " frames are silence in it so far";

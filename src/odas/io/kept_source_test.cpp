@@ -10,7 +10,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::kept_source_test {
 namespace {
 
 RawConfig raw_to(const std::filesystem::path& file, int bits = 16) {
@@ -149,4 +149,4 @@ TEST(KeptSource, is_the_source_itself_where_nothing_is_kept) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::kept_source_test

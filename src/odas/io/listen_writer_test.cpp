@@ -6,7 +6,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::listen_writer_test {
 namespace {
 
 const std::string kRecord = std::string(999, 'x') + "\n";
@@ -107,4 +107,4 @@ TEST(ListenWriter, a_port_that_is_taken_is_said_at_once) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::listen_writer_test

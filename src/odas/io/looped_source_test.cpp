@@ -6,7 +6,7 @@
 #include "support/fake_io.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::looped_source_test {
 namespace {
 
 Grid<float> ramp(std::size_t frames) {
@@ -52,4 +52,4 @@ TEST(LoopedSource, ends_where_there_is_nothing_to_loop_or_the_recording_is_damag
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::looped_source_test

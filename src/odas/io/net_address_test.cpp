@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::net_address_test {
 namespace {
 
 TEST(NetAddress, numbers_of_both_kinds_are_known_at_once) {
@@ -41,4 +41,4 @@ TEST(NetAddress, a_name_that_cannot_be_is_a_fault_that_names_it) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::net_address_test

@@ -5,15 +5,15 @@
 namespace odas {
 namespace {
 
-constexpr Wanted kPotentials{.potentials = true, .tracks = false, .separated = false, .postfiltered = false};
-constexpr Wanted kTracks{.potentials = false, .tracks = true, .separated = false, .postfiltered = false};
-constexpr std::size_t kUsualSize = 4096;
-constexpr std::size_t kFrameSize = 96;  // of the text around a list, with its stamp
+constexpr Wanted kPotentialsAlone{
+    .potentials = true, .tracks = false, .separated = false, .postfiltered = false};
+constexpr Wanted kTracksAlone{.potentials = false, .tracks = true, .separated = false, .postfiltered = false};
+constexpr std::size_t kAroundSize = 96;  // of the text around a list, with its stamp
 constexpr std::size_t kPotentialSize = 64 + 4 * TextBuffer::kFixedSize;
 constexpr std::size_t kTrackSize =
     96 + TextBuffer::kIntegerSize + TextBuffer::quoted_size(63) + 4 * TextBuffer::kFixedSize;
 
-void put_direction(TextBuffer& text, Vec3 direction) {
+void put_xyz(TextBuffer& text, Vec3 direction) {
   text.put("\"x\": ");
   text.put_fixed(direction.x);
   text.put(", \"y\": ");
@@ -25,7 +25,7 @@ void put_direction(TextBuffer& text, Vec3 direction) {
 void put_row(TextBuffer& text, const Potential& potential) {
   text.need(kPotentialSize);
   text.put("        { ");
-  put_direction(text, potential.direction);
+  put_xyz(text, potential.direction);
   text.put(", \"E\": ");
   text.put_fixed(potential.energy);
   text.put(" }");
@@ -38,7 +38,7 @@ void put_row(TextBuffer& text, const Track& track) {
   text.put(", \"tag\": ");
   text.put_quoted(track.tag.view());
   text.put(", ");
-  put_direction(text, track.direction);
+  put_xyz(text, track.direction);
   text.put(", \"activity\": ");
   text.put_fixed(track.activity);
   text.put(" }");
@@ -50,7 +50,7 @@ struct ClassRow {
 };
 
 void put_row(TextBuffer& text, const ClassRow& row) {
-  text.need(kFrameSize);
+  text.need(kAroundSize);
   text.put("        { \"category\": \"");
   text.put(row.track.category == Category::speech ? "speech" : "nonspeech");
   text.put("\" }");
@@ -60,13 +60,13 @@ void put_row(TextBuffer& text, const ClassRow& row) {
 template <class Row, class Item>
 std::span<const char> put_hop(TextBuffer& text, HopIndex time, std::span<const Item> rows) {
   text.clear();
-  text.need(kFrameSize);
+  text.need(kAroundSize);
   text.put("{\n    \"timeStamp\": ");
   text.put_integer(time);
   text.put(",\n    \"src\": [\n");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     put_row(text, Row{rows[i]});
-    text.need(kFrameSize);
+    text.need(kAroundSize);
     if (i + 1 < rows.size()) text.put(',');
     text.put('\n');
   }
@@ -76,40 +76,40 @@ std::span<const char> put_hop(TextBuffer& text, HopIndex time, std::span<const I
 
 class OdasJsonPotentials : public HopEncoder {
  public:
-  [[nodiscard]] Wanted wanted() const noexcept override { return kPotentials; }
+  [[nodiscard]] Wanted wanted() const noexcept override { return kPotentialsAlone; }
   [[nodiscard]] std::span<const char> encode(const HopResult& hop) override {
     return put_hop<const Potential&>(text_, hop.time, hop.potentials);
   }
 
  private:
-  TextBuffer text_{kUsualSize};
+  TextBuffer text_{TextBuffer::kUsualSize};
 };
 
 class OdasJsonTracks : public HopEncoder {
  public:
-  [[nodiscard]] Wanted wanted() const noexcept override { return kTracks; }
+  [[nodiscard]] Wanted wanted() const noexcept override { return kTracksAlone; }
   [[nodiscard]] std::span<const char> encode(const HopResult& hop) override {
     return put_hop<const Track&>(text_, hop.time, hop.tracks);
   }
 
  private:
-  TextBuffer text_{kUsualSize};
+  TextBuffer text_{TextBuffer::kUsualSize};
 };
 
 class OdasJsonCategories : public HopEncoder {
  public:
-  [[nodiscard]] Wanted wanted() const noexcept override { return kTracks; }
+  [[nodiscard]] Wanted wanted() const noexcept override { return kTracksAlone; }
   [[nodiscard]] std::span<const char> encode(const HopResult& hop) override {
     return put_hop<ClassRow>(text_, hop.time, hop.tracks);
   }
 
  private:
-  TextBuffer text_{kUsualSize};
+  TextBuffer text_{TextBuffer::kUsualSize};
 };
 
 class BinaryPotentials : public HopEncoder {
  public:
-  [[nodiscard]] Wanted wanted() const noexcept override { return kPotentials; }
+  [[nodiscard]] Wanted wanted() const noexcept override { return kPotentialsAlone; }
   [[nodiscard]] std::span<const char> encode(const HopResult& hop) override {
     values_.clear();
     for (const Potential& p : hop.potentials) {

@@ -9,7 +9,7 @@
 
 #include "odas/io/hop_encoder.hpp"
 
-namespace odas {
+namespace odas::odas_json_test {
 namespace {
 
 std::string encoded(HopEncoder& encoder, const test::HopOfHand& hop, HopIndex time) {
@@ -125,4 +125,4 @@ TEST(BinaryPotentials, are_four_floats_each) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::odas_json_test

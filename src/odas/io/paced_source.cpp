@@ -5,11 +5,7 @@
 #include <thread>
 
 namespace odas {
-namespace {
-
-constexpr auto kPatience = std::chrono::milliseconds(100);  // of one read, so that the program can stop
-
-}  // namespace
+namespace {}  // namespace
 
 PacedSource::PacedSource(std::unique_ptr<AudioSource> recording)
     : PacedSource(std::move(recording), {[] { return Clock::now(); },
@@ -24,8 +20,8 @@ ReadResult PacedSource::read(GridView<float> block) {
   const double seconds = static_cast<double>(given_ + block.cols()) / sample_rate();
   const Clock::time_point due =
       *start_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-  if (due > now) time_.sleep(std::min<Clock::duration>(due - now, kPatience));
-  if (due > now + kPatience) return {};
+  if (due > now) time_.sleep(std::min<Clock::duration>(due - now, kReadPatience));
+  if (due > now + kReadPatience) return {};
   ReadResult result = recording_->read(block);
   given_ += result.frames + result.lost;
   return result;

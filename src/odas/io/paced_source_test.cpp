@@ -4,7 +4,7 @@
 #include "support/fake_io.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::paced_source_test {
 namespace {
 
 using Clock = PacedSource::Clock;
@@ -70,4 +70,4 @@ TEST(PacedSource, returns_from_a_long_block_so_that_the_program_can_stop) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::paced_source_test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace odas {
+namespace odas::pcm_assembler_test {
 namespace {
 
 /// Samples 0, 1, 2, ... of 16 bits, channel after channel.
@@ -113,4 +113,4 @@ RC_GTEST_PROP(PcmAssembler, takes_garbage_in_every_format, (const std::string& g
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::pcm_assembler_test

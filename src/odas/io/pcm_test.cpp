@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace odas {
+namespace odas::pcm_test {
 namespace {
 
 constexpr int kBits[] = {8, 16, 24, 32};
@@ -125,4 +125,4 @@ TEST(Pcm, applies_the_gain_before_it_holds) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::pcm_test

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 
-namespace odas {
+namespace odas::peer_link_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -80,4 +80,4 @@ TEST(PeerLink, at_the_end_waits_for_a_reader_no_longer_than_it_must) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::peer_link_test

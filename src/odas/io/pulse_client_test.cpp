@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::pulse_client_test {
 namespace {
 
 // With a server it is tested in tests/capture_test.cpp.
@@ -19,4 +19,4 @@ TEST(PulseClient, says_that_there_is_no_server) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::pulse_client_test

@@ -16,8 +16,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr auto kPatience = milliseconds(100);  // of one read, so that the program can stop
-constexpr auto kFirstPause = milliseconds(100), kLongestPause = milliseconds(3000);
+constexpr auto kFirstRetry = milliseconds(100), kLongestRetry = milliseconds(3000);
 
 pa_sample_format_t pulse_format(SampleFormat format) {
   switch (format) {
@@ -145,7 +144,7 @@ PulseSource::Refusal PulseSource::connect(Clock::time_point deadline, bool first
 ReadResult PulseSource::read(GridView<float> block) {
   ReadResult result;
   result.notice = std::exchange(notice_, "");
-  const Clock::time_point deadline = Clock::now() + kPatience;
+  const Clock::time_point deadline = Clock::now() + kReadPatience;
   while (result.frames == 0 && result.lost == 0) {
     if (!connection_) {
       reconnect(result);
@@ -193,14 +192,14 @@ void PulseSource::lose(const std::string& why, ReadResult& result) {
   result.notice += raw_.interface.source + " " + why + "; waiting until it is back";
   connection_.reset();
   away_.start(heard_);
-  pause_ = kFirstPause;
+  pause_ = kFirstRetry;
   next_try_ = Clock::now() + pause_;
 }
 
 void PulseSource::reconnect(ReadResult& result) {
   const Clock::time_point now = Clock::now();
   if (now < next_try_) {
-    std::this_thread::sleep_for(std::min<Clock::duration>(next_try_ - now, kPatience));
+    std::this_thread::sleep_for(std::min<Clock::duration>(next_try_ - now, kReadPatience));
     result.lost += away_.take(Clock::now());
     return;
   }
@@ -212,7 +211,7 @@ void PulseSource::reconnect(ReadResult& result) {
     result.notice += raw_.interface.source + " is back";
     return;
   }
-  pause_ = std::min<Clock::duration>(2 * pause_, kLongestPause);
+  pause_ = std::min<Clock::duration>(2 * pause_, kLongestRetry);
   next_try_ = Clock::now() + pause_;
 }
 

@@ -7,7 +7,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::pulse_source_test {
 namespace {
 
 // With a server it is tested in tests/capture_test.cpp.
@@ -34,4 +34,4 @@ TEST(PulseSource, has_no_more_channels_than_the_server_can_have) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::pulse_source_test

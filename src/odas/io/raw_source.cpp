@@ -14,13 +14,11 @@
 namespace odas {
 namespace {
 
-constexpr int kPatienceMs = 100;  // of one read, so that the program stays able to stop
-
-std::string reason(int number) { return std::generic_category().message(number); }
+std::string words_of(int number) { return std::generic_category().message(number); }
 
 FileDescriptor open_to_read(const std::filesystem::path& file) {
   FileDescriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!descriptor.open()) throw IoError("cannot open " + file.string() + ": " + reason(errno));
+  if (!descriptor.open()) throw IoError("cannot open " + file.string() + ": " + words_of(errno));
   return descriptor;
 }
 
@@ -34,7 +32,7 @@ RawSource::RawSource(std::filesystem::path file, const RawConfig& raw)
       descriptor_(open_to_read(file_)) {
   struct stat status {};
   if (::fstat(descriptor_.get(), &status) != 0) {
-    throw IoError("cannot read " + file_.string() + ": " + reason(errno));
+    throw IoError("cannot read " + file_.string() + ": " + words_of(errno));
   }
   if (S_ISDIR(status.st_mode)) throw IoError("cannot read " + file_.string() + ": it is a folder");
   regular_ = S_ISREG(status.st_mode);
@@ -55,12 +53,12 @@ ReadResult RawSource::read(GridView<float> block) {
   while (held_ < wanted && !ended_) {
     if (!regular_) {
       pollfd waiting{descriptor_.get(), POLLIN, 0};
-      if (::poll(&waiting, 1, kPatienceMs) <= 0) return result;  // nothing yet
+      if (::poll(&waiting, 1, static_cast<int>(kReadPatience.count())) <= 0) return result;  // nothing yet
     }
     const ssize_t got = ::read(descriptor_.get(), bytes_.data() + held_, wanted - held_);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) {
-      result.status = IoStatus::failed("cannot read " + file_.string() + ": " + reason(errno));
+      result.status = IoStatus::failed("cannot read " + file_.string() + ": " + words_of(errno));
       ended_ = true;
     }
     if (got == 0) ended_ = true;

@@ -10,7 +10,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::raw_source_test {
 namespace {
 
 RawConfig stereo() {
@@ -101,4 +101,4 @@ TEST(RawSource, of_a_silent_pipe_gives_nothing_for_now_and_stays_able_to_stop) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::raw_source_test

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace odas {
+namespace odas::record_queue_test {
 namespace {
 
 std::string waiting(const RecordQueue& queue) { return {queue.front().begin(), queue.front().end()}; }
@@ -57,4 +57,4 @@ RC_GTEST_PROP(RecordQueue, what_comes_out_is_what_was_taken_in_pieces_of_any_siz
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::record_queue_test

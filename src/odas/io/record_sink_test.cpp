@@ -7,7 +7,7 @@
 
 #include "odas/io/file_writer.hpp"
 
-namespace odas {
+namespace odas::record_sink_test {
 namespace {
 
 TEST(RecordSink, writes_a_record_for_each_hop) {
@@ -33,4 +33,4 @@ TEST(RecordSink, says_its_name_and_wants_what_its_encoder_reads) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::record_sink_test

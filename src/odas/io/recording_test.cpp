@@ -7,7 +7,7 @@
 #include "odas/base/error.hpp"
 #include "odas/io/wav_writer.hpp"
 
-namespace odas {
+namespace odas::recording_test {
 namespace {
 
 RawConfig mono() {
@@ -80,4 +80,4 @@ TEST(OpenRecording, says_that_a_file_is_missing_or_empty) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::recording_test

@@ -19,7 +19,7 @@ namespace odas {
 namespace {
 
 // From a recording, a peer who reads is waited for; one who does not, no longer than this.
-constexpr std::chrono::milliseconds kPatience{1000};
+constexpr std::chrono::milliseconds kDialPatience{1000};
 
 using Writer = std::unique_ptr<ByteWriter>;
 
@@ -34,7 +34,7 @@ struct WriterOrder {
     return [told = options.say, stream = stream](const std::string& what) { told(stream + ": " + what); };
   }
   [[nodiscard]] PeerManners manners() const {
-    return {options.live ? std::chrono::milliseconds(0) : kPatience, options.stop, say()};
+    return {options.live ? std::chrono::milliseconds(0) : kDialPatience, options.stop, say()};
   }
 };
 

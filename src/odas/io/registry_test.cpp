@@ -7,7 +7,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::registry_test {
 namespace {
 
 std::vector<Fault> faults_of(const Configuration& config) {
@@ -93,4 +93,4 @@ TEST(Registry, refuses_a_format_that_a_stream_cannot_be) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::registry_test

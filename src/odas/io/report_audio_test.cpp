@@ -10,7 +10,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::report_audio_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -73,4 +73,4 @@ TEST(Waveform, of_no_sound_is_empty) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::report_audio_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::report_history_test {
 namespace {
 
 constexpr std::size_t kHop = 128;
@@ -110,4 +110,4 @@ TEST(ReportTable, has_a_line_for_each_source) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::report_history_test

@@ -9,7 +9,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::report_reference_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,4 +88,4 @@ TEST(ReferenceTap, ends_the_recording_when_the_disk_is_full) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::report_reference_test

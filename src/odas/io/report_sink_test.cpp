@@ -10,7 +10,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::report_sink_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -65,4 +65,4 @@ TEST_F(ReportSinkTest, says_what_it_could_not_write) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::report_sink_test

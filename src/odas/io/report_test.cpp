@@ -12,7 +12,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::report_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -161,4 +161,4 @@ TEST_F(Report, leaves_an_old_page_alone_when_a_new_one_cannot_be_written) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::report_test

@@ -7,7 +7,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::run_equipment_test {
 namespace {
 
 TEST(RunEquipment, opens_what_the_configuration_names) {
@@ -43,4 +43,4 @@ TEST(RunEquipment, says_what_cannot_be_opened) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::run_equipment_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::sample_format_test {
 namespace {
 
 constexpr SampleFormat kAll[] = {SampleFormat::s32, SampleFormat::s24_3, SampleFormat::s24, SampleFormat::f32,
@@ -81,4 +81,4 @@ TEST(SampleFormat, of_a_stream_follows_nBits_unless_it_is_said) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::sample_format_test

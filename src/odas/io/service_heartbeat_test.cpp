@@ -11,7 +11,7 @@
 #include <sys/socket.h>
 #include <sys/un.h>
 
-namespace odas {
+namespace odas::service_heartbeat_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -94,4 +94,4 @@ TEST(ServiceHeartbeat, is_not_there_unless_the_environment_asks) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::service_heartbeat_test

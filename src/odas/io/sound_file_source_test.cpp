@@ -10,7 +10,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::sound_file_source_test {
 namespace {
 
 /// Two channels at 16 kHz of noise, the second one negative.
@@ -135,4 +135,4 @@ TEST(SoundFileSource, says_what_is_wrong) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::sound_file_source_test

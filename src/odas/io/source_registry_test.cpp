@@ -4,7 +4,7 @@
 #include "odas/base/error.hpp"
 #include "odas/io/registry.hpp"
 
-namespace odas {
+namespace odas::source_registry_test {
 namespace {
 
 TEST(SourceRegistry, says_which_sources_are_not_there) {
@@ -22,4 +22,4 @@ TEST(SourceRegistry, says_which_sources_are_not_there) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::source_registry_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::source_table_test {
 namespace {
 
 TEST(SourceTable, shows_who_is_there_and_leaves_empty_slots_out) {
@@ -33,4 +33,4 @@ TEST(SourceTable, a_tag_commands_no_terminal) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::source_table_test

@@ -7,7 +7,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::stream_archive_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -124,4 +124,4 @@ TEST(StreamArchive, a_full_disk_is_said) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::stream_archive_test

@@ -11,7 +11,7 @@
 namespace odas {
 namespace {
 
-constexpr std::size_t kExcerpt = 32;
+constexpr std::size_t kShown = 32;
 constexpr HopIndex kLongestGap = 1'000'000;  // hops: beyond it a stamp is taken for nonsense
 
 bool is_object_of_text(std::span<const char> bytes) {
@@ -30,11 +30,11 @@ bool is_object_of_text(std::span<const char> bytes) {
 
 std::string excerpt(std::string_view bytes) {
   std::string shown;
-  for (const char c : bytes.substr(0, kExcerpt)) {
+  for (const char c : bytes.substr(0, kShown)) {
     const auto byte = static_cast<unsigned char>(c);
     shown += byte >= 0x20 && byte < 0x7F ? std::string(1, c) : fmt::format("\\x{:02x}", byte);
   }
-  return bytes.size() > kExcerpt ? shown + "..." : shown;
+  return bytes.size() > kShown ? shown + "..." : shown;
 }
 
 IoStatus TextIntake::take(std::span<const char> bytes) {

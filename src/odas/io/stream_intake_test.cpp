@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <sndfile.hh>
 
-namespace odas {
+namespace odas::stream_intake_test {
 namespace {
 
 std::string object(int stamp) {
@@ -128,4 +128,4 @@ TEST_F(AudioIntakeTest, nothing_makes_no_file) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::stream_intake_test

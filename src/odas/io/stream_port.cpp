@@ -19,7 +19,7 @@ namespace odas {
 namespace {
 
 constexpr std::size_t kCandidates = 8;
-constexpr auto kPatience = std::chrono::seconds(5);  // for a token
+constexpr auto kTokenPatience = std::chrono::seconds(5);  // for a token
 
 void add(std::string& notice, const std::string& text) { notice += (notice.empty() ? "" : "; ") + text; }
 
@@ -69,7 +69,7 @@ std::optional<FileDescriptor> ListenPort::poll(std::string& notice) {
   if (!std::exchange(said_, true)) add(notice, "waiting for a sender at " + where());
   while (auto client = listener_.accept()) {
     if (candidates_.size() == kCandidates) continue;  // it is closed
-    candidates_.push_back({std::move(*client), TokenGate(token_), Clock::now() + kPatience});
+    candidates_.push_back({std::move(*client), TokenGate(token_), Clock::now() + kTokenPatience});
   }
   for (auto at = candidates_.begin(); at != candidates_.end();) {
     if (hear(*at)) {

@@ -9,7 +9,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::stream_port_test {
 namespace {
 
 /// Polls until there is a stream, or a notice with this text.
@@ -120,4 +120,4 @@ TEST(ListenPort, listens_at_addresses_of_both_kinds) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::stream_port_test

@@ -8,7 +8,7 @@
 
 #include "odas/io/hop_encoder.hpp"
 
-namespace odas {
+namespace odas::stream_record_test {
 namespace {
 
 std::string_view text_of(std::span<const char> bytes) { return {bytes.data(), bytes.size()}; }
@@ -116,4 +116,4 @@ RC_GTEST_PROP(StreamRecord, survives_rows_of_any_kind, (const std::vector<std::u
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::stream_record_test

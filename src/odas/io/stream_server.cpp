@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kPieceSize = std::size_t{64} * 1024;
 constexpr int kPieces = 8;  // of one port before the others have their turn
 constexpr std::chrono::seconds kBetweenRefusals{10};
-constexpr std::chrono::seconds kFarewell{1};  // for what has come already
+constexpr std::chrono::seconds kLastCall{1};  // for what has come already
 
 std::size_t index_of(Stream stream) { return static_cast<std::size_t>(stream); }
 
@@ -222,7 +222,7 @@ IoStatus StreamServer::flush() {
 
 IoStatus StreamServer::close() {
   IoStatus all;
-  for (const auto until = Clock::now() + kFarewell; all.ok() && is_asked({}) && Clock::now() < until;) {
+  for (const auto until = Clock::now() + kLastCall; all.ok() && is_asked({}) && Clock::now() < until;) {
     all = step({});
   }
   for (const auto& port : ports_) {

@@ -11,7 +11,7 @@
 #include "odas/base/error.hpp"
 #include "odas/io/hop_encoder.hpp"
 
-namespace odas {
+namespace odas::stream_server_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -192,4 +192,4 @@ TEST_F(StreamServerTest, a_disk_that_is_full_ends_it) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::stream_server_test

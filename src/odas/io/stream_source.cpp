@@ -13,9 +13,8 @@
 namespace odas {
 namespace {
 
-constexpr auto kPatience = std::chrono::milliseconds(100);  // of one read, so that Ctrl-C is heard
-constexpr auto kPause = std::chrono::milliseconds(5);       // between two looks for a peer
-constexpr std::size_t kChunk = std::size_t{64} * 1024;
+constexpr auto kPause = std::chrono::milliseconds(5);  // between two looks for a peer
+constexpr std::size_t kReadBytes = std::size_t{64} * 1024;
 
 void say(ReadResult& result, const std::string& text) {
   result.notice += (result.notice.empty() ? "" : "; ") + text;
@@ -35,12 +34,12 @@ StreamSource::StreamSource(const RawConfig& raw, std::unique_ptr<StreamPort> por
       reconnect_(raw.interface.reconnect),
       port_(std::move(port)),
       assembler_({stream_format(raw), channels_, raw.fs}, 2 * static_cast<std::size_t>(raw.hop_size)),
-      bytes_(kChunk),
+      bytes_(kReadBytes),
       away_(raw.fs) {}
 
 ReadResult StreamSource::read(GridView<float> block) {
   ReadResult result;
-  const Clock::time_point deadline = Clock::now() + kPatience;
+  const Clock::time_point deadline = Clock::now() + kReadPatience;
   const std::size_t wanted = std::min(block.cols(), assembler_.capacity());
   while (assembler_.frames() < wanted && !ended_) {
     if (!stream_.open() && at_ == held_) {

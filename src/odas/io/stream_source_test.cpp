@@ -8,7 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-namespace odas {
+namespace odas::stream_source_test {
 namespace {
 
 /// Streams that the test has the other ends of.
@@ -184,4 +184,4 @@ TEST(StreamSource, fails_when_a_wav_does_not_fit) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::stream_source_test

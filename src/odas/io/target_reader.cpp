@@ -15,7 +15,7 @@ using nlohmann::json;
 constexpr std::size_t kLongestTag = decltype(Target::tag)::kCapacity;
 
 /// The direction of a target, of length 1: what a double holds may be too much for a float.
-std::optional<Vec3> direction_in(const json& item) {
+std::optional<Vec3> target_direction(const json& item) {
   double v[3]{};
   double longest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -31,7 +31,7 @@ std::optional<Vec3> direction_in(const json& item) {
   return normalized({static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])});
 }
 
-TargetMessage refused(std::string fault) {
+TargetMessage refused_targets(std::string fault) {
   TargetMessage message;
   message.fault = std::move(fault);
   return message;
@@ -46,7 +46,7 @@ std::string read_target(const json& item, const std::string& path, std::vector<T
   if (name.empty()) return "";
   if (name.size() > kLongestTag) return path + ".tag has more than 63 bytes";
   if (name == "dynamic") return path + ".tag is \"dynamic\", the tag of sources that come and go";
-  const std::optional<Vec3> direction = direction_in(item);
+  const std::optional<Vec3> direction = target_direction(item);
   if (!direction) return path + " has no direction: x, y and z are numbers, not all 0";
   for (const Target& other : targets) {
     if (other.tag.view() == name) return path + ".tag is the tag of another target";
@@ -59,8 +59,8 @@ std::string read_target(const json& item, const std::string& path, std::vector<T
 
 TargetMessage read_targets(std::string_view text) {
   const json content = json::parse(text, nullptr, false);
-  if (content.is_discarded()) return refused("is no JSON");
-  if (!content.is_object()) return refused("is no JSON object");
+  if (content.is_discarded()) return refused_targets("is no JSON");
+  if (!content.is_object()) return refused_targets("is no JSON object");
   const auto list_of = [&](const char* key) -> const json* {
     const auto found = content.find(key);
     return found == content.end() ? nullptr : &*found;
@@ -69,25 +69,25 @@ TargetMessage read_targets(std::string_view text) {
   const json* const removed = list_of("remove");
   const json* const added = all != nullptr ? all : list_of("add");
   if (added == nullptr && removed == nullptr)
-    return refused("has no list \"targets\", \"add\" or \"remove\"");
+    return refused_targets("has no list \"targets\", \"add\" or \"remove\"");
   const std::string key = all != nullptr ? "targets" : "add";
 
   TargetMessage good;
   good.replaces = all != nullptr;
   if (removed != nullptr) {
-    if (all != nullptr) return refused("has both \"targets\" and \"remove\"");
-    if (!removed->is_array()) return refused("has no list \"remove\"");
+    if (all != nullptr) return refused_targets("has both \"targets\" and \"remove\"");
+    if (!removed->is_array()) return refused_targets("has no list \"remove\"");
     for (const json& tag : *removed) {
-      if (!tag.is_string()) return refused("remove has what is no text: it is a list of tags");
+      if (!tag.is_string()) return refused_targets("remove has what is no text: it is a list of tags");
       good.removed.push_back(tag.get<std::string>());
     }
   }
   if (added == nullptr) return good;
-  if (!added->is_array()) return refused("has no list \"" + key + "\"");
+  if (!added->is_array()) return refused_targets("has no list \"" + key + "\"");
   std::vector<Target> targets;
   for (std::size_t i = 0; i < added->size(); ++i) {
     std::string fault = read_target((*added)[i], key + "[" + std::to_string(i) + "]", targets);
-    if (!fault.empty()) return refused(std::move(fault));
+    if (!fault.empty()) return refused_targets(std::move(fault));
   }
   good.surplus = good.targets.assign(targets);
   return good;
@@ -120,7 +120,7 @@ TargetList heed(const TargetMessage& message, const TargetList& before, std::siz
 std::optional<TargetMessage> TargetReader::next() {
   const std::optional<JsonCutter::Cut> cut = cutter_.next();
   if (!cut) return std::nullopt;
-  return cut->fault != nullptr ? refused(cut->fault) : read_targets(cut->text);
+  return cut->fault != nullptr ? refused_targets(cut->fault) : read_targets(cut->text);
 }
 
 }  // namespace odas

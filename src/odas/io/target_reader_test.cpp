@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace odas {
+namespace odas::target_reader_test {
 namespace {
 
 constexpr const char* kDoor = R"({"targets":[{"tag":"door","x":2,"y":0,"z":0.0}]})";
@@ -213,4 +213,4 @@ RC_GTEST_PROP(TargetReader, loses_no_good_message_after_a_faulty_one_that_is_who
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::target_reader_test

@@ -6,7 +6,7 @@
 #include "support/net_peer.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::target_server_test {
 namespace {
 
 using test::NetPeer;
@@ -135,4 +135,4 @@ TEST_F(TargetServerTest, many_clients_who_come_and_stay_silent_lock_nobody_out) 
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::target_server_test

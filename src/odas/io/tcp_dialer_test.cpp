@@ -6,7 +6,7 @@
 
 #include "odas/io/tcp_listener.hpp"
 
-namespace odas {
+namespace odas::tcp_dialer_test {
 namespace {
 
 using test::eventually;
@@ -35,4 +35,4 @@ TEST(TcpDialer, a_host_that_is_not_known_is_a_fault_and_no_end) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::tcp_dialer_test

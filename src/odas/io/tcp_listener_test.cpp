@@ -7,7 +7,7 @@
 #include "odas/base/error.hpp"
 #include "odas/io/tcp_dialer.hpp"
 
-namespace odas {
+namespace odas::tcp_listener_test {
 namespace {
 
 using test::eventually;
@@ -85,4 +85,4 @@ TEST(TokenGate, without_a_token_everybody_is_let_in) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::tcp_listener_test

@@ -12,7 +12,7 @@
 namespace odas {
 namespace {
 
-constexpr int kPatienceMs = 100;
+constexpr int kWritePatienceMs = 100;
 // A pipe that poll() calls writable takes as much without waiting.
 constexpr std::size_t kPiece = PIPE_BUF;
 
@@ -20,11 +20,11 @@ constexpr std::size_t kPiece = PIPE_BUF;
 
 IoStatus TerminalWriter::write(std::span<const char> record) {
   if (!queue_.put(record)) ++lost_;
-  return send(waits_ && !stopped() ? kPatienceMs : 0);
+  return send(waits_ && !stopped() ? kWritePatienceMs : 0);
 }
 
 IoStatus TerminalWriter::close() {
-  IoStatus status = send(kPatienceMs);
+  IoStatus status = send(kWritePatienceMs);
   lost_ += queue_.records();
   return status;
 }

@@ -9,7 +9,7 @@
 
 #include "odas/io/file_descriptor.hpp"
 
-namespace odas {
+namespace odas::terminal_writer_test {
 namespace {
 
 struct Pipe {
@@ -84,4 +84,4 @@ TEST(TerminalWriter, for_a_live_source_a_reader_that_sleeps_loses_whole_records_
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::terminal_writer_test

@@ -15,6 +15,8 @@ namespace odas {
 /// grows if a row should ever need more. Numbers as C's printf has them, but 20 times cheaper.
 class TextBuffer {
  public:
+  static constexpr std::size_t kUsualSize = 4096;  // bytes: few hops need more
+
   /// Room for `size` bytes.
   explicit TextBuffer(std::size_t size) : bytes_(size) {}
 

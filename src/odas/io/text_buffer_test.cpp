@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace odas {
+namespace odas::text_buffer_test {
 namespace {
 
 template <class Put>
@@ -115,4 +115,4 @@ TEST(TextBuffer, allocates_nothing_within_its_room) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::text_buffer_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 
-namespace odas {
+namespace odas::udp_writer_test {
 namespace {
 
 /// A UDP socket of this machine, and its port.
@@ -74,4 +74,4 @@ TEST(UdpWriter, a_host_that_is_not_known_loses_records_and_is_said) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::udp_writer_test

@@ -19,7 +19,7 @@ std::string voice_file_name(std::uint64_t id) { return "source_" + std::to_strin
 
 namespace {
 
-constexpr int kBits = 16;
+constexpr int kVoiceBits = 16;
 
 /// Only names that this program gives: a user may keep other files here.
 bool is_voice(const std::string& name) {
@@ -48,7 +48,7 @@ VoiceRecorder::VoiceRecorder(fs::path folder, Format format) : folder_(std::move
 
 IoStatus VoiceRecorder::add(HopIndex time, std::span<const Track> tracks, GridView<const float> audio) {
   if (open_.size() < tracks.size()) open_.resize(tracks.size());
-  bytes_.resize(audio.cols() * pcm_bytes(kBits));
+  bytes_.resize(audio.cols() * pcm_bytes(kVoiceBits));
   for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
     Open& open = open_[slot];
     const std::uint64_t id = tracks[slot].id;
@@ -63,7 +63,7 @@ IoStatus VoiceRecorder::add(HopIndex time, std::span<const Track> tracks, GridVi
       if (IoStatus begun = begin(slot, id, start); !begun.ok()) return begun;
     }
     const GridView<const float> voice(audio[slot].data(), 1, audio.cols());
-    clipped_ += encode_pcm(voice, format_.gain, kBits, bytes_);
+    clipped_ += encode_pcm(voice, format_.gain, kVoiceBits, bytes_);
     if (IoStatus written = open.wav->write(bytes_); !written.ok()) return written;
     voices_[open.voice].seconds += static_cast<double>(audio.cols()) / format_.sample_rate;
   }
@@ -82,7 +82,7 @@ IoStatus VoiceRecorder::begin(std::size_t slot, std::uint64_t id, double start_s
   const std::string name = name_of(id, start_s);
   try {
     open_[slot].wav =
-        std::make_unique<WavWriter>(folder_ / name, WavWriter::Format{format_.sample_rate, 1, kBits});
+        std::make_unique<WavWriter>(folder_ / name, WavWriter::Format{format_.sample_rate, 1, kVoiceBits});
   } catch (const IoError& error) { return IoStatus::failed(error.what()); }
   open_[slot].voice = voices_.size();
   voices_.push_back({id, name, start_s, 0});

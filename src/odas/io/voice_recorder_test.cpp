@@ -10,7 +10,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::voice_recorder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -167,4 +167,4 @@ TEST_F(VoiceRecorderTest, lists_the_voices_with_their_places) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::voice_recorder_test

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sndfile.hh>
 
-namespace odas {
+namespace odas::voices_sink_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -142,4 +142,4 @@ TEST(CompactTime, sorts_and_has_milliseconds) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::voices_sink_test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace odas {
+namespace odas::wav_header_test {
 namespace {
 
 std::string number(std::uint64_t value, int bytes) {
@@ -90,4 +90,4 @@ RC_GTEST_PROP(WavHeader, survives_anything_that_begins_like_one, (const std::str
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::wav_header_test

@@ -7,7 +7,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::wav_writer_test {
 namespace {
 
 /// What libsndfile reads of a file; frames = -1: it cannot.
@@ -83,4 +83,4 @@ TEST(WavWriter, says_at_once_where_it_cannot_write) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::wav_writer_test

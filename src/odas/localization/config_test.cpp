@@ -4,7 +4,7 @@
 #include "support/schema_check.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::config_test {
 namespace {
 
 TEST(SslConfigTest, Has_a_sound_schema_and_defaults_within_it) {
@@ -13,4 +13,4 @@ TEST(SslConfigTest, Has_a_sound_schema_and_defaults_within_it) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::config_test

@@ -6,7 +6,7 @@
 
 #include "odas/array/directivity.hpp"
 
-namespace odas {
+namespace odas::delta_training_test {
 namespace {
 
 /// An array of microphones that face up with angles 80-100, behind a spatial filter of the same.
@@ -58,4 +58,4 @@ TEST(DeltaTraining, Of_two_microphones_in_one_place_needs_no_width) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::delta_training_test

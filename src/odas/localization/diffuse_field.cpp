@@ -42,11 +42,12 @@ DiffuseField::DiffuseField(const GeneralConfig& general, std::span<const Pair> p
   }
 }
 
-void DiffuseField::subtract(std::span<const float> share, const LagTable& table, std::span<float> scratch,
+void DiffuseField::subtract(std::span<const float> share, const LagTable& table,
+                            std::span<const std::uint16_t> bins, std::span<float> scratch,
                             GridView<float> correlations) noexcept {
   if (class_.empty()) return;
   std::copy(share.begin(), share.end(), re_[0].begin());
-  lag_products(re_, im_, products_, table, scratch, patterns_);
+  lag_products(re_, im_, products_, table, bins, scratch, patterns_);
   for (std::size_t q = 0; q < class_.size(); ++q) {
     float* x = correlations[q].data();
     const float* pattern = patterns_[class_[q]].data();

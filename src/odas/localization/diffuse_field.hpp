@@ -16,15 +16,15 @@ namespace odas {
 /// Subtracted from each correlation: IDFT(s(f) sinc(2 f d / c)), s the diffuse share of the weights. Source:
 /// Cook et al., 1955; coherence subtraction as in CDR estimators (Schwarz and Kellermann, 2015). Pairs of one
 /// distance (to 1 mm) share a pattern. Where a microphone is directional nothing is subtracted. Cost per hop:
-/// distances x bins x lags / 2 + pairs x lags.
+/// distances x such bins x lags / 2 + pairs x lags.
 class DiffuseField {
  public:
   DiffuseField(const GeneralConfig& general, std::span<const Pair> pairs, const LagTable& table,
                float bin_hz);
 
-  /// share [bin]; correlations [pair][column].
-  void subtract(std::span<const float> share, const LagTable& table, std::span<float> scratch,
-                GridView<float> correlations) noexcept;
+  /// share [bin], 0 but at `bins`; correlations [pair][column].
+  void subtract(std::span<const float> share, const LagTable& table, std::span<const std::uint16_t> bins,
+                std::span<float> scratch, GridView<float> correlations) noexcept;
 
  private:
   std::vector<std::size_t> class_;  // [pair]: its row of patterns_

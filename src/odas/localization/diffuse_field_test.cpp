@@ -8,7 +8,7 @@
 #include "support/plane_wave.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::diffuse_field_test {
 namespace {
 
 constexpr std::size_t kFrame = 256;
@@ -34,7 +34,7 @@ TEST(DiffuseField, Subtracts_the_transform_of_the_coherence_of_each_pair) {
   std::vector<float> share(kBins);
   for (float& s : share) s = uniform(random);
   Grid<float> x(f.pairs.size(), 2 * kHalf + 1);
-  f.field.subtract(share, f.table, f.scratch, x);
+  f.field.subtract(share, f.table, f.table.all_bins(), f.scratch, x);
   for (std::size_t q = 0; q < f.pairs.size(); ++q) {
     const auto [i, j] = f.pairs[q];
     const auto d = static_cast<double>(norm(position(f.general.mics[i]) - position(f.general.mics[j])));
@@ -57,11 +57,11 @@ TEST(DiffuseField, Leaves_directional_microphones_alone) {
   general.mics[2].angle = {80, 90};
   Field f(general);
   Grid<float> x(f.pairs.size(), 2 * kHalf + 1);
-  f.field.subtract(std::vector<float>(kBins, 1.F), f.table, f.scratch, x);
+  f.field.subtract(std::vector<float>(kBins, 1.F), f.table, f.table.all_bins(), f.scratch, x);
   for (std::size_t q = 0; q < x.rows(); ++q) {
     for (const float value : x[q]) EXPECT_EQ(value, 0);
   }
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::diffuse_field_test

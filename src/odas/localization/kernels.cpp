@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 // Vectors whose length the compiler does not know cannot stand in the arrays below: on ARM, NEON does.
 #undef HWY_DISABLED_TARGETS
@@ -38,14 +39,14 @@ void CrossSpectrum(const float* HWY_RESTRICT ri, const float* HWY_RESTRICT ii, c
 /// For two pairs at once and one vector of lags: the even part (cosines) and the odd part (sines).
 void TwoPairs(const float* HWY_RESTRICT re0, const float* HWY_RESTRICT im0, const float* HWY_RESTRICT re1,
               const float* HWY_RESTRICT im1, const float* HWY_RESTRICT cos, const float* HWY_RESTRICT sin,
-              std::size_t bins, std::size_t stride, float* HWY_RESTRICT parts) {
+              std::span<const std::uint16_t> bins, std::size_t stride, float* HWY_RESTRICT parts) {
   const Floats d;
   const std::size_t lanes = hn::Lanes(d);
   Vector even0 = hn::Zero(d);
   Vector odd0 = hn::Zero(d);
   Vector even1 = hn::Zero(d);
   Vector odd1 = hn::Zero(d);
-  for (std::size_t k = 0; k < bins; ++k) {
+  for (const std::size_t k : bins) {
     const auto c = hn::LoadU(d, cos + k * stride);
     const auto s = hn::LoadU(d, sin + k * stride);
     even0 = hn::MulAdd(hn::Set(d, re0[k]), c, even0);
@@ -60,11 +61,11 @@ void TwoPairs(const float* HWY_RESTRICT re0, const float* HWY_RESTRICT im0, cons
 }
 
 void LagProducts(GridView<const float> re, GridView<const float> im, std::span<const Pair> pairs,
-                 const LagTable& table, float* HWY_RESTRICT scratch, GridView<float> out) {
+                 const LagTable& table, std::span<const std::uint16_t> bins, float* HWY_RESTRICT scratch,
+                 GridView<float> out) {
   const Floats d;
   const std::size_t lanes = hn::Lanes(d);
-  const std::size_t bins = table.bins();
-  const std::size_t row = padded(bins);
+  const std::size_t row = padded(table.bins());
   const std::size_t half = table.half_lags();
   const std::size_t stride = table.cos().cols();
   float* cross[4] = {scratch, scratch + row, scratch + 2 * row, scratch + 3 * row};
@@ -150,7 +151,9 @@ HWY_EXPORT(TargetName);
 LagTable::LagTable(std::size_t frame_size, int interp_rate, std::size_t half_lags)
     : half_lags_(half_lags),
       cos_(frame_size / 2 + 1, padded(half_lags + 1)),
-      sin_(frame_size / 2 + 1, padded(half_lags + 1)) {
+      sin_(frame_size / 2 + 1, padded(half_lags + 1)),
+      all_bins_(frame_size / 2 + 1) {
+  std::iota(all_bins_.begin(), all_bins_.end(), std::uint16_t{0});
   const std::size_t last = frame_size / 2;
   const std::size_t period = frame_size * static_cast<std::size_t>(interp_rate);
   for (std::size_t k = 0; k <= last; ++k) {
@@ -170,11 +173,13 @@ std::size_t lag_scratch_size(const LagTable& table) noexcept {
 }
 
 void lag_products(GridView<const float> re, GridView<const float> im, std::span<const Pair> pairs,
-                  const LagTable& table, std::span<float> scratch, GridView<float> out) noexcept {
+                  const LagTable& table, std::span<const std::uint16_t> bins, std::span<float> scratch,
+                  GridView<float> out) noexcept {
   ODAS_EXPECT(re.cols() == padded(table.bins()) && im.cols() == re.cols());
   ODAS_EXPECT(scratch.size() >= lag_scratch_size(table));
+  ODAS_EXPECT(bins.empty() || bins.back() < table.bins());
   ODAS_EXPECT(out.rows() >= pairs.size() && out.cols() > 2 * table.half_lags());
-  HWY_DYNAMIC_DISPATCH(LagProducts)(re, im, pairs, table, scratch.data(), out);
+  HWY_DYNAMIC_DISPATCH(LagProducts)(re, im, pairs, table, bins, scratch.data(), out);
 }
 
 void sliding_max(const float* x, std::size_t first, std::size_t last, std::size_t delta, float* y) noexcept {

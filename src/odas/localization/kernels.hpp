@@ -30,16 +30,20 @@ class LagTable {
   [[nodiscard]] std::size_t half_lags() const noexcept { return half_lags_; }
   [[nodiscard]] const Grid<float>& cos() const noexcept { return cos_; }
   [[nodiscard]] const Grid<float>& sin() const noexcept { return sin_; }
+  [[nodiscard]] std::span<const std::uint16_t> all_bins() const noexcept { return all_bins_; }
 
  private:
   std::size_t half_lags_;
   Grid<float> cos_, sin_;  // [bin][lag 0..half_lags, padded]
+  std::vector<std::uint16_t> all_bins_;
 };
 
 /// The cross-correlations of pairs of channels, of which `re` and `im` [mic][bin] are the weighted phasors.
+/// `bins`, ascending, are those where they are not 0: the cost is in proportion to their number.
 /// Row q of `out` holds lag l at column half_lags + l. `scratch` holds at least lag_scratch_size() values.
 void lag_products(GridView<const float> re, GridView<const float> im, std::span<const Pair> pairs,
-                  const LagTable& table, std::span<float> scratch, GridView<float> out) noexcept;
+                  const LagTable& table, std::span<const std::uint16_t> bins, std::span<float> scratch,
+                  GridView<float> out) noexcept;
 [[nodiscard]] std::size_t lag_scratch_size(const LagTable& table) noexcept;
 
 /// y[n] = max over |k| <= delta of x[n + k], for n in [first, last]. May write up to kKernelLanes - 1 values

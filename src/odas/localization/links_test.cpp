@@ -10,7 +10,7 @@
 #include "odas/array/directivity.hpp"
 #include "odas/localization/delta_training.hpp"
 
-namespace odas {
+namespace odas::links_test {
 namespace {
 
 struct Levels {
@@ -59,4 +59,4 @@ TEST(Links, Leave_nothing_out_where_nothing_overlaps) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::links_test

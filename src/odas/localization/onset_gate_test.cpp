@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::onset_gate_test {
 namespace {
 
 constexpr std::size_t kMics = 4;  // for which c = 3
@@ -88,4 +88,4 @@ TEST(OnsetGate, Is_deaf_to_a_bin_that_is_not_finite_and_forgets_it) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::onset_gate_test

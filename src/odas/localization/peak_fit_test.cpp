@@ -7,7 +7,7 @@
 #include "support/plane_wave.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::peak_fit_test {
 namespace {
 
 /// Correlations of a wave from `u`: a smooth bump around its lag in each pair.
@@ -84,4 +84,4 @@ TEST(TangentPlane, Points_to_where_azimuth_and_elevation_grow) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::peak_fit_test

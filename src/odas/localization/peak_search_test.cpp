@@ -7,7 +7,7 @@
 #include "support/plane_wave.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::peak_search_test {
 namespace {
 
 Grid<float> random_correlations(const SearchPlan& plan, unsigned seed) {
@@ -64,4 +64,4 @@ TEST(PeakSearch, With_two_levels_ends_at_a_direction_of_the_finest_grid) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::peak_search_test

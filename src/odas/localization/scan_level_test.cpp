@@ -4,7 +4,7 @@
 #include "support/plane_wave.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::scan_level_test {
 namespace {
 
 TEST(ScanLevel, Lags_are_negative_where_the_first_microphone_is_nearer) {
@@ -32,4 +32,4 @@ TEST(ScanLevel, Keeps_the_directions_that_ODAS_keeps) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::scan_level_test

@@ -6,7 +6,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::search_plan_test {
 namespace {
 
 /// The closed array of the ODAS paper: two microphones on each side of a square body.
@@ -64,4 +64,4 @@ TEST(SearchPlan, Has_a_way_from_every_coarse_winner_to_the_finest_grid) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::search_plan_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::snr_weights_test {
 namespace {
 
 struct Weights {
@@ -54,4 +54,4 @@ TEST(SnrWeights, Stay_finite_whatever_comes) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::snr_weights_test

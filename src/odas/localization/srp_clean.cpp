@@ -85,7 +85,9 @@ SrpClean::SrpClean(const GeneralConfig& general, const SslConfig& ssl)
       pattern_(1, pattern_now_.cols()),
       scratch_(std::max(lag_scratch_size(table_), lag_scratch_size(pattern_table_))),
       search_(plan_),
-      fit_(general, plan_, ssl.interp_rate) {}
+      fit_(general, plan_, ssl.interp_rate) {
+  clear_.reserve(table_.bins());
+}
 
 void SrpClean::locate(GridView<const cfloat> spectra, GridView<const float> noise_psd,
                       std::span<Potential> potentials) noexcept {
@@ -107,7 +109,11 @@ void SrpClean::locate(GridView<const cfloat> spectra, GridView<const float> nois
 void SrpClean::hear(GridView<const cfloat> spectra) noexcept {
   const std::span<const float> weights = gate_.weights();
   float* root = root_[0].data();
-  for (std::size_t k = 0; k < weights.size(); ++k) root[k] = std::sqrt(weights[k]);
+  clear_.clear();
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    root[k] = std::sqrt(weights[k]);
+    if (root[k] > 0) clear_.push_back(static_cast<std::uint16_t>(k));
+  }
   for (std::size_t m = 0; m < spectra.rows(); ++m) {
     const cfloat* x = spectra[m].data();
     float* re = re_[m].data();
@@ -123,9 +129,9 @@ void SrpClean::hear(GridView<const cfloat> spectra) noexcept {
 }
 
 void SrpClean::average() noexcept {
-  lag_products(re_, im_, plan_.pairs, table_, scratch_, now_);
-  diffuse_.subtract(gate_.diffuse(), table_, scratch_, now_);
-  lag_products(root_, nothing_, kSelf, pattern_table_, scratch_, pattern_now_);
+  lag_products(re_, im_, plan_.pairs, table_, clear_, scratch_, now_);
+  diffuse_.subtract(gate_.diffuse(), table_, clear_, scratch_, now_);
+  lag_products(root_, nothing_, kSelf, pattern_table_, clear_, scratch_, pattern_now_);
   const auto mix = [this](std::span<float> kept, std::span<const float> heard) {
     for (std::size_t n = 0; n < kept.size(); ++n) kept[n] += new_share_ * (heard[n] - kept[n]);
   };

@@ -26,10 +26,10 @@ namespace odas {
 /// Symbols: u direction, i < j microphones, l lag in samples interpolated r times.
 /// Source: SRP-PHAT, DiBiase, 2000; search, Grondin and Michaud, 2019; CLEAN, Hoegbom, 1974.
 /// Shapes: spectra [mic][bin], noise_psd [mic][bin] -> potentials, the clearest first.
-/// Cost per hop: pairs (bins x lags / 2 + potentials (candidates + lags)). Delay: none, but an average lags
-/// by its time constant. Errors: the constructor throws ConfigError. A non-finite bin counts as silent.
-/// Fails: a source that sounds steadily for seconds (a hum) is noise. Errors of neighbouring hops are not
-/// independent: the average links them.
+/// Cost per hop: pairs (bins with g > 0, about an eighth of all, x lags / 2 + potentials (candidates +
+/// lags)). Delay: none, but an average lags by its time constant. Errors: the constructor throws ConfigError.
+/// A non-finite bin counts as silent. Fails: a source that sounds steadily for seconds (a hum) is noise.
+/// Errors of neighbouring hops are not independent: the average links them.
 class SrpClean final : public Localizer {
  public:
   SrpClean(const GeneralConfig& general, const SslConfig& ssl);
@@ -64,6 +64,7 @@ class SrpClean final : public Localizer {
   Grid<float> rest_;            // [pair][column]: what is left when the potentials so far are subtracted
   Grid<float> root_, nothing_;  // [1][bin, padded]: sqrt(g), 0
   Grid<float> pattern_now_, pattern_;  // [1][column]: of this hop; averaged
+  std::vector<std::uint16_t> clear_;   // bins with g > 0
   std::vector<float> scratch_;
   float squares_ = 0;  // of what each hop adds to the middle of pattern_, faded as these are
   PeakSearch search_;

@@ -6,7 +6,7 @@
 #include "support/plane_wave.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::srp_clean_test {
 namespace {
 
 using test::angle_deg;
@@ -182,4 +182,4 @@ TEST(SrpClean, Is_not_moved_by_a_hop_that_is_not_finite) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::srp_clean_test

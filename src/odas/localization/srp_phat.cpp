@@ -24,7 +24,7 @@ void SrpPhat::locate(GridView<const cfloat> spectra, GridView<const float> noise
   ODAS_EXPECT(spectra.rows() == re_.rows() && spectra.cols() == table_.bins());
   whiten(spectra);
   if (weights_) weights_->apply(spectra, noise_psd, re_, im_);
-  lag_products(re_, im_, plan_.pairs, table_, scratch_, correlations_);
+  lag_products(re_, im_, plan_.pairs, table_, table_.all_bins(), scratch_, correlations_);
   PeakSearch::Peak peak;
   for (std::size_t p = 0; p < potentials.size(); ++p) {
     if (p > 0) cut_out(peak.point);

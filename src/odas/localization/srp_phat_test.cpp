@@ -7,7 +7,7 @@
 #include "support/plane_wave.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::srp_phat_test {
 namespace {
 
 using test::angle_deg;
@@ -235,4 +235,4 @@ TEST(SrpPhat, Allocates_nothing_once_made_and_is_as_new_after_reset) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::srp_phat_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::config_test {
 namespace {
 
 TEST(PipelineConfigTest, counts_the_look_back_in_whole_hops) {
@@ -23,4 +23,4 @@ TEST(PipelineConfigTest, delays_the_voices_by_the_overlap_and_the_look_back) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::config_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::input_guard_test {
 namespace {
 
 TEST(InputGuard, Passes_a_sane_hop_as_it_is) {
@@ -34,4 +34,4 @@ TEST(InputGuard, Takes_what_no_microphone_can_mean_for_silence_and_counts_it) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::input_guard_test

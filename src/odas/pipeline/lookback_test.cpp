@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::lookback_test {
 namespace {
 
 Track track(std::uint64_t id, float x) {
@@ -72,4 +72,4 @@ TEST(LookBack, after_reset_is_as_new) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::lookback_test

@@ -6,7 +6,7 @@
 #include "support/plane_wave.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::muting_test {
 namespace {
 
 Muting at_azimuth_90() {
@@ -44,4 +44,4 @@ TEST(Muting, does_nothing_unless_it_is_told_to) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::muting_test

@@ -12,7 +12,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::pipeline_test {
 namespace {
 
 using test::angle_deg;
@@ -441,4 +441,4 @@ TEST(Pipeline, Refuses_methods_that_it_does_not_know) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::pipeline_test

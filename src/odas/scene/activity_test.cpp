@@ -5,7 +5,7 @@
 
 #include "odas/scene/random.hpp"
 
-namespace odas {
+namespace odas::activity_test {
 namespace {
 
 constexpr int kRate = 16000;
@@ -62,4 +62,4 @@ TEST(Activity, Of_silence_is_none_and_scale_does_not_matter) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::activity_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::assignment_test {
 namespace {
 
 /// The smallest sum, by trying every order of the larger side.
@@ -75,4 +75,4 @@ TEST(Assignment, of_nothing_is_nothing) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::assignment_test

@@ -37,7 +37,7 @@ void for_each_object(const fs::path& file, const std::function<void(const json&)
   }
 }
 
-Direction direction_of(const json& source) {
+Direction heard_direction(const json& source) {
   return {source.at("x").get<double>(), source.at("y").get<double>(), source.at("z").get<double>()};
 }
 
@@ -57,7 +57,7 @@ std::optional<HeardPotential> strongest_of(const json& object) {
     }
   }
   if (!hop || strongest == nullptr) return std::nullopt;
-  return HeardPotential{*hop, direction_of(*strongest)};
+  return HeardPotential{*hop, heard_direction(*strongest)};
 }
 
 struct HeardTracks {
@@ -78,7 +78,7 @@ HeardTracks read_tracks(const fs::path& file) {
       ++place;
       tracks.slots = std::max(tracks.slots, slot + 1);
       const auto id = source.at("id").get<std::uint64_t>();
-      if (id != 0) heard.tracks.push_back({slot, id, direction_of(source)});
+      if (id != 0) heard.tracks.push_back({slot, id, heard_direction(source)});
     }
     tracks.duration = std::max(tracks.duration, *hop + 1);
     tracks.hops.push_back(std::move(heard));

@@ -8,7 +8,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::audition_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,4 +110,4 @@ TEST_F(AuditionFiles, say_what_is_missing_or_is_something_else) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::audition_test

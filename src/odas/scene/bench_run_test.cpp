@@ -7,7 +7,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::bench_run_test {
 namespace {
 
 TEST(BenchParallel, Does_each_piece_once_and_throws_what_one_of_them_threw) {
@@ -22,4 +22,4 @@ TEST(BenchParallel, Does_each_piece_once_and_throws_what_one_of_them_threw) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::bench_run_test

@@ -12,7 +12,6 @@
 namespace odas {
 namespace {
 
-constexpr float kOmniAngle = 180;  // degrees: a microphone that passes everything up to here hears all around
 constexpr float kPlaceError = 0.002F;  // m, root mean square
 constexpr float kGainError = 3;        // dB, at most, up or down
 constexpr float kQuietDb = 30;
@@ -67,7 +66,7 @@ class Drawing {
       SceneMic made;
       made.position = {mic.mu[0], mic.mu[1], mic.mu[2]};
       made.axis = normalized(Vec3{mic.direction[0], mic.direction[1], mic.direction[2]});
-      made.omni = mic.angle[0] >= kOmniAngle ? 1 : 0.5F;
+      made.omni = is_omni(mic) ? 1 : 0.5F;
       if (bench_.inexact) {
         const float each = kPlaceError / std::sqrt(3.F);
         const float x = r.uniform(), y = r.uniform(), z = r.uniform();

@@ -11,7 +11,7 @@
 #include "odas/scene/bench_run.hpp"
 #include "odas/scene/trajectory.hpp"
 
-namespace odas {
+namespace odas::bench_scene_test {
 namespace {
 
 GeneralConfig square() {
@@ -113,4 +113,4 @@ TEST_F(BenchSceneTest, A_scene_that_was_kept_is_bit_for_bit_the_one_that_was_pla
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::bench_scene_test

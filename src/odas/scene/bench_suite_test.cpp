@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::bench_suite_test {
 namespace {
 
 TEST(BenchSuite, Has_at_least_300_scenes_of_hearing_and_100_of_separation_half_of_them_to_report_on) {
@@ -85,4 +85,4 @@ TEST(BenchSuite, Says_which_words_no_scene_has) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::bench_suite_test

@@ -14,7 +14,7 @@ double middle_of(std::vector<double> values, Middle middle) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-std::optional<double> percent(std::optional<double> share) {
+std::optional<double> in_percent(std::optional<double> share) {
   return share ? std::optional(100 * *share) : std::nullopt;
 }
 
@@ -82,9 +82,9 @@ std::vector<BenchFigure> accuracy_figures() {
   using O = BenchOutcome;
   return {
       {"recall", "recall, %", 1, Middle::mean,
-       [](const O& o) { return percent(o.score.azimuth.tracks.recall); }},
+       [](const O& o) { return in_percent(o.score.azimuth.tracks.recall); }},
       {"recall_3d", "recall 3-D, %", 1, Middle::mean,
-       [](const O& o) { return percent(o.score.angle.tracks.recall); }},
+       [](const O& o) { return in_percent(o.score.angle.tracks.recall); }},
       {"err", "error, deg", 2, Middle::mean, [](const O& o) { return o.score.azimuth.tracks.error_deg; }},
       {"bound", "bound, deg", 2, Middle::median,
        [](const O& o) { return o.bound ? std::optional(o.bound->azimuth_deg) : std::nullopt; }},
@@ -99,7 +99,7 @@ std::vector<BenchFigure> accuracy_figures() {
        [](const O& o) { return o.score.azimuth.tracks.switches_per_min; }},
       {"onset_s", "onset, s", 2, Middle::median, [](const O& o) { return o.score.azimuth.tracks.onset_s; }},
       {"pot_in15", "potential in 15, %", 1, Middle::mean,
-       [](const O& o) { return percent(o.score.azimuth.potentials.hits); }},
+       [](const O& o) { return in_percent(o.score.azimuth.potentials.hits); }},
       {"ospa", "OSPA, deg", 1, Middle::mean,
        [](const O& o) { return std::optional(o.score.azimuth.ospa_deg); }}};
 }
@@ -116,12 +116,12 @@ std::vector<BenchFigure> separation_figures() {
   const auto share = [](const std::string& key, const std::string& title, auto which, auto member) {
     return BenchFigure{key, title + ", %", 1, Middle::mean, [which, member](const O& o) {
                          const auto& voices = o.score.*which;
-                         return voices ? percent((*voices).*member) : std::nullopt;
+                         return voices ? in_percent((*voices).*member) : std::nullopt;
                        }};
   };
   const auto separated = &Score::separated, filtered = &Score::postfiltered;
   return {{"recall", "recall, %", 1, Middle::mean,
-           [](const O& o) { return percent(o.score.azimuth.tracks.recall); }},
+           [](const O& o) { return in_percent(o.score.azimuth.tracks.recall); }},
           db("sdr_in", "SDR in", separated, &S::sdr_in),
           db("sdr", "SDR", separated, &S::sdr),
           db("pf_sdr", "SDR filtered", filtered, &S::sdr),

@@ -8,7 +8,7 @@
 #include "odas/scene/bench_text.hpp"
 #include "odas/scene/random.hpp"
 
-namespace odas {
+namespace odas::bench_summary_test {
 namespace {
 
 TEST(Estimate, Interval_of_a_mean_is_about_that_of_a_Gaussian) {
@@ -72,4 +72,4 @@ TEST(BenchTables, Rows_are_the_levels_in_their_order_with_the_means_of_their_sce
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::bench_summary_test

@@ -25,25 +25,25 @@ std::string cell(const std::optional<Estimate>& figure, int decimals) {
   return text + " (" + number(figure->low, decimals) + ", " + number(figure->high, decimals) + ")";
 }
 
-double rounded(double value) { return std::round(value * 1000) / 1000; }
+double thousandths(double value) { return std::round(value * 1000) / 1000; }
 
 ordered_json scene_json(const BenchOutcome& outcome, std::span<const BenchFigure> figures) {
   const BenchScene& s = outcome.scene;
-  ordered_json json{{"scene", s.name()},
-                    {"array", s.array},
-                    {"mics", s.mics},
-                    {"rt60", rounded(static_cast<double>(s.rt60))},
-                    {"distance", s.distance},
-                    {"noise", name_of(s.noise)},
-                    {"snr_db", s.snr_db},
-                    {"talkers", s.talkers},
-                    {"motion", name_of(s.motion)},
-                    {"inexact", s.inexact}};
+  ordered_json out{{"scene", s.name()},
+                   {"array", s.array},
+                   {"mics", s.mics},
+                   {"rt60", thousandths(static_cast<double>(s.rt60))},
+                   {"distance", s.distance},
+                   {"noise", name_of(s.noise)},
+                   {"snr_db", s.snr_db},
+                   {"talkers", s.talkers},
+                   {"motion", name_of(s.motion)},
+                   {"inexact", s.inexact}};
   for (const BenchFigure& figure : figures) {
     const auto value = figure.of(outcome);
-    json[figure.key] = value ? ordered_json(rounded(*value)) : ordered_json(nullptr);
+    out[figure.key] = value ? ordered_json(thousandths(*value)) : ordered_json(nullptr);
   }
-  return json;
+  return out;
 }
 
 }  // namespace
@@ -79,9 +79,9 @@ std::string bench_json(std::span<const BenchOutcome> outcomes, std::span<const B
       ordered_json entry{{"name", row.name}, {"scenes", row.scenes}};
       for (std::size_t i = 0; i < figures.size(); ++i) {
         const auto& figure = row.figures[i];
-        entry[figures[i].key] =
-            figure ? ordered_json{rounded(figure->value), rounded(figure->low), rounded(figure->high)}
-                   : ordered_json(nullptr);
+        entry[figures[i].key] = figure ? ordered_json{thousandths(figure->value), thousandths(figure->low),
+                                                      thousandths(figure->high)}
+                                       : ordered_json(nullptr);
       }
       rows.push_back(std::move(entry));
     }

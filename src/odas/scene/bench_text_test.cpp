@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::bench_text_test {
 namespace {
 
 TEST(BenchMarkdown, Tells_a_figure_with_its_interval_and_a_dash_where_there_is_none) {
@@ -18,4 +18,4 @@ TEST(BenchMarkdown, Tells_a_figure_with_its_interval_and_a_dash_where_there_is_n
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::bench_text_test

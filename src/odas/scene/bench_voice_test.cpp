@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::bench_voice_test {
 namespace {
 
 TEST(BenchVoice, The_halves_share_neither_voices_nor_sentences) {
@@ -23,4 +23,4 @@ TEST(BenchVoice, The_halves_share_neither_voices_nor_sentences) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::bench_voice_test

@@ -5,7 +5,7 @@
 
 #include "odas/scene/random.hpp"
 
-namespace odas {
+namespace odas::convolver_test {
 namespace {
 
 TEST(Convolver, Pieces_sum_to_the_plain_convolution) {
@@ -36,4 +36,4 @@ TEST(Convolver, Pieces_sum_to_the_plain_convolution) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::convolver_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::correlation_test {
 namespace {
 
 std::vector<float> noise(std::size_t size, unsigned seed) {
@@ -65,4 +65,4 @@ TEST(Filter, is_the_convolution_with_its_taps) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::correlation_test

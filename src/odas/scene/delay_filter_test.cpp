@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::delay_filter_test {
 namespace {
 
 std::complex<double> response_at(const std::vector<float>& h, double omega) {
@@ -54,4 +54,4 @@ TEST(DelayFilter, Loses_what_lies_outside_and_keeps_the_rest) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::delay_filter_test

@@ -9,7 +9,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::heard_voices_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -89,4 +89,4 @@ TEST_F(HeardVoices, need_an_index_that_can_be_read_and_the_files_it_names) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::heard_voices_test

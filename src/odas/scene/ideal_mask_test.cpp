@@ -9,7 +9,7 @@
 #include "odas/scene/noise.hpp"
 #include "odas/scene/projection.hpp"
 
-namespace odas {
+namespace odas::ideal_mask_test {
 namespace {
 
 std::vector<float> sine(double hertz) {
@@ -52,4 +52,4 @@ TEST(IdealMask, Gains_some_but_not_all_in_noise) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::ideal_mask_test

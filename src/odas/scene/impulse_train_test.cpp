@@ -10,7 +10,7 @@
 #include "odas/scene/delay_filter.hpp"
 #include "odas/scene/random.hpp"
 
-namespace odas {
+namespace odas::impulse_train_test {
 namespace {
 
 TEST(ImpulseTrain, Is_what_the_delay_filter_gives_within_40_dB_in_the_whole_band) {
@@ -67,4 +67,4 @@ TEST(ImpulseTrain, Adds_to_what_is_there_and_forgets_when_cleared) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::impulse_train_test

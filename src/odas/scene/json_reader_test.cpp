@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace odas {
+namespace odas::json_reader_test {
 namespace {
 
 TEST(JsonReader, Reads_what_is_there_and_falls_back_where_it_may) {
@@ -46,4 +46,4 @@ TEST(JsonReader, Names_every_fault_with_its_path) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::json_reader_test

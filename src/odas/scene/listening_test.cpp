@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::listening_test {
 namespace {
 
 TEST(Listening, Hears_every_hop_of_the_scene_from_its_first_on) {
@@ -29,4 +29,4 @@ TEST(Listening, Hears_every_hop_of_the_scene_from_its_first_on) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::listening_test

@@ -8,7 +8,7 @@
 
 #include "odas/dsp/real_fft.hpp"
 
-namespace odas {
+namespace odas::noise_test {
 namespace {
 
 Scene pair_of_mics(float distance) {
@@ -121,4 +121,4 @@ TEST(NoiseAmplitude, Pink_falls_by_3_dB_an_octave_and_fan_by_6_over_its_corner) 
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::noise_test

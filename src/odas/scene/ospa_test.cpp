@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::ospa_test {
 namespace {
 
 Direction at(double azimuth) { return {std::cos(azimuth * M_PI / 180), std::sin(azimuth * M_PI / 180), 0}; }
@@ -59,4 +59,4 @@ TEST(Ospa, does_not_blame_a_track_that_waits_at_a_silent_source) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::ospa_test

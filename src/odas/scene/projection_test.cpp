@@ -8,7 +8,7 @@
 
 #include "odas/scene/correlation.hpp"
 
-namespace odas {
+namespace odas::projection_test {
 namespace {
 
 constexpr std::size_t kSamples = 48000;
@@ -98,4 +98,4 @@ TEST(Projection, of_silence_is_a_number) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::projection_test

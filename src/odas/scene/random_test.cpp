@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::random_test {
 namespace {
 
 // mt19937's outputs are fixed by the standard, and so, with nothing but a shift, a difference and a product
@@ -38,4 +38,4 @@ TEST(Random, Parts_of_a_scene_draw_different_numbers) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::random_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::room_test {
 namespace {
 
 Scene scene_of(float rt60) {
@@ -165,4 +165,4 @@ TEST(Room, Longer_decay_needs_harder_walls) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::room_test

@@ -23,7 +23,6 @@ constexpr float kOmniShare[] = {1, 0.7F, 0.5F, 0.366F, 0};
 constexpr std::size_t kCardioid = 2;
 constexpr std::initializer_list<const char*> kColours{"white", "pink", "fan", "motor"};
 constexpr std::initializer_list<const char*> kDiffuse{"white", "pink", "fan", "motor", "babble"};
-constexpr float kOmniAngle = 180;  // degrees: a microphone that passes everything up to here hears all around
 
 Vec3 vec3(const std::array<float, 3>& a) { return {a[0], a[1], a[2]}; }
 
@@ -88,7 +87,7 @@ class SceneFile {
       const GeneralConfig general = load_configuration(folder_ / file).config.pipeline.general;
       scene_.speed_of_sound = general.speedofsound.mu;
       for (const MicConfig& mic : general.mics) {
-        const bool omni = mic.angle[0] >= kOmniAngle;
+        const bool omni = is_omni(mic);
         scene_.mics.push_back({vec3(mic.mu), normalized(vec3(mic.direction)),
                                kOmniShare[pattern.value_or(omni ? 0 : kCardioid)]});
       }

@@ -5,7 +5,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::scene_file_test {
 namespace {
 
 std::vector<Fault> faults_of(std::string_view text) {
@@ -105,4 +105,4 @@ TEST(SceneFile, Missing_files_are_the_worlds_fault) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::scene_file_test

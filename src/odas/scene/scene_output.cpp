@@ -40,21 +40,22 @@ void write_sound(const std::filesystem::path& file, GridView<const float> sound,
   }
 }
 
-double rounded(float value) { return std::round(static_cast<double>(value) * 1e5) / 1e5; }
+double with_five_digits(float value) { return std::round(static_cast<double>(value) * 1e5) / 1e5; }
 
 nlohmann::ordered_json truth_json(const Scene& scene, const SimulatedScene& result) {
   nlohmann::ordered_json truth;
   truth["fs"] = scene.sample_rate;
   truth["hop"] = scene.hop;
   truth["scene"] = {{"seconds", scene.seconds},
-                    {"rt60", rounded(scene.rt60)},
+                    {"rt60", with_five_digits(scene.rt60)},
                     {"mics", scene.mics.size()},
                     {"seed", scene.seed}};
-  if (scene.noise) truth["scene"]["snr"] = rounded(scene.noise->snr_db);
+  if (scene.noise) truth["scene"]["snr"] = with_five_digits(scene.noise->snr_db);
   truth["sources"] = nlohmann::ordered_json::array();
   for (const SourceTruth& source : result.truth) {
     nlohmann::ordered_json doa = nlohmann::ordered_json::array();
-    for (const Vec3 u : source.direction) doa.push_back({rounded(u.x), rounded(u.y), rounded(u.z)});
+    for (const Vec3 u : source.direction)
+      doa.push_back({with_five_digits(u.x), with_five_digits(u.y), with_five_digits(u.z)});
     truth["sources"].push_back({{"name", source.name}, {"doa", doa}, {"active", source.active}});
   }
   return truth;

@@ -12,7 +12,7 @@
 #include "odas/scene/simulate.hpp"
 #include "odas/scene/sound.hpp"
 
-namespace odas {
+namespace odas::scene_output_test {
 namespace {
 
 class SceneOutput : public ::testing::Test {
@@ -87,4 +87,4 @@ TEST_F(SceneOutput, A_folder_that_cannot_be_made_is_said) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::scene_output_test

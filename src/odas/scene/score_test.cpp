@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::score_test {
 namespace {
 
 constexpr std::size_t kHops = 250;  // 2 s
@@ -61,4 +61,4 @@ TEST(Score, takes_the_voice_of_the_track_that_is_right_in_azimuth) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::score_test

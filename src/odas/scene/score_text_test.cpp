@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace odas {
+namespace odas::score_text_test {
 namespace {
 
 using nlohmann::json;
@@ -82,4 +82,4 @@ TEST(ScoreTable, keeps_every_column_at_the_right_edge_of_its_head) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::score_text_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::separation_score_test {
 namespace {
 
 constexpr std::size_t kHop = 128;
@@ -98,4 +98,4 @@ TEST_F(TwoVoices, have_no_interference_when_one_is_silent) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::separation_score_test

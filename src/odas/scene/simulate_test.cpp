@@ -9,7 +9,7 @@
 #include "odas/scene/random.hpp"
 #include "odas/scene/trajectory.hpp"
 
-namespace odas {
+namespace odas::simulate_test {
 namespace {
 
 std::vector<float> sine(double hertz, double seconds, double rate = 16000) {
@@ -147,4 +147,4 @@ TEST(Simulate, What_is_too_loud_is_scaled_and_not_clipped) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::simulate_test

@@ -12,7 +12,7 @@
 #include "odas/base/error.hpp"
 #include "odas/scene/activity.hpp"
 
-namespace odas {
+namespace odas::sound_test {
 namespace {
 
 class Sound : public ::testing::Test {
@@ -89,4 +89,4 @@ TEST_F(Sound, Words_are_spoken_or_it_is_said_what_to_install) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::sound_test

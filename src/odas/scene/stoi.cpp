@@ -22,7 +22,7 @@ constexpr std::size_t kBands = 15, kStretch = 30;
 constexpr double kLowestCentre = 150;  // Hz
 constexpr double kSilence = 40;        // dB
 constexpr double kClip = 15;           // dB
-constexpr double kTiny = 1e-12;
+constexpr double kTinyBand = 1e-12;
 
 std::vector<float> resampled(std::span<const float> sound, int sample_rate) {
   std::vector<float> in(sound.begin(), sound.end());
@@ -55,7 +55,7 @@ std::vector<std::size_t> frames_of_speech(std::span<const float> clean) {
   const auto hann = window();
   std::vector<double> level;
   for (std::size_t start = 0; start + kFrame <= clean.size(); start += kHop) {
-    double energy = kTiny;
+    double energy = kTinyBand;
     for (std::size_t n = 0; n < kFrame; ++n)
       energy += std::pow(static_cast<double>(hann[n] * clean[start + n]), 2);
     level.push_back(10 * std::log10(energy));
@@ -109,7 +109,7 @@ double correlation(std::span<const double> clean, std::span<const double> proces
     clean_energy += clean[i] * clean[i];
     energy += processed[i] * processed[i];
   }
-  const double gain = std::sqrt(clean_energy / std::max(energy, kTiny));
+  const double gain = std::sqrt(clean_energy / std::max(energy, kTinyBand));
   const double most = 1 + std::pow(10, kClip / 20);
   std::array<double, kStretch> fitted{};
   double mean_clean = 0, mean_fitted = 0;
@@ -118,7 +118,7 @@ double correlation(std::span<const double> clean, std::span<const double> proces
     mean_clean += clean[i] / kStretch;
     mean_fitted += fitted[i] / kStretch;
   }
-  double cross = 0, a = kTiny, b = kTiny;
+  double cross = 0, a = kTinyBand, b = kTinyBand;
   for (std::size_t i = 0; i < kStretch; ++i) {
     const double x = clean[i] - mean_clean, y = fitted[i] - mean_fitted;
     cross += x * y;

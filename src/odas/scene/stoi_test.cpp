@@ -9,7 +9,7 @@
 #include "odas/scene/noise.hpp"
 #include "odas/scene/random.hpp"
 
-namespace odas {
+namespace odas::stoi_test {
 namespace {
 
 /// Noise whose level goes up and down four times a second, as syllables do.
@@ -71,4 +71,4 @@ TEST(Stoi, Of_less_than_a_stretch_of_speech_is_unknown) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::stoi_test

@@ -12,19 +12,19 @@
 namespace odas {
 namespace {
 
-constexpr std::size_t kFrame = 512;
+constexpr std::size_t kBoundFrame = 512;
 constexpr double kLowest = 100, kHighest = 7000;  // Hz
 
 /// Mean power by bin, over the frames whose middle is in a hop that counts.
 std::vector<double> spectrum(std::span<const float> sound, std::span<const std::uint8_t> counts,
                              std::size_t hop) {
-  RealFft fft(kFrame);
-  std::vector<double> power(kFrame / 2 + 1);
-  for (std::size_t start = 0; start + kFrame <= sound.size(); start += kFrame / 2) {
-    const std::size_t middle = (start + kFrame / 2) / hop;
+  RealFft fft(kBoundFrame);
+  std::vector<double> power(kBoundFrame / 2 + 1);
+  for (std::size_t start = 0; start + kBoundFrame <= sound.size(); start += kBoundFrame / 2) {
+    const std::size_t middle = (start + kBoundFrame / 2) / hop;
     if (middle >= counts.size() || counts[middle] == 0) continue;
-    for (std::size_t n = 0; n < kFrame; ++n) {
-      const double hann = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * static_cast<double>(n) / kFrame);
+    for (std::size_t n = 0; n < kBoundFrame; ++n) {
+      const double hann = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * static_cast<double>(n) / kBoundFrame);
       fft.time()[n] = static_cast<float>(hann) * sound[start + n];
     }
     fft.forward();
@@ -50,7 +50,7 @@ double direct_share(const Scene& scene, const Room& room, const SceneSource& sou
 }
 
 double bound(const std::vector<double>& talker, const std::vector<double>& noise, double direct, int rate) {
-  const double step = static_cast<double>(rate) / kFrame;  // Hz
+  const double step = static_cast<double>(rate) / kBoundFrame;  // Hz
   double sum = 0;
   for (std::size_t k = 0; k < talker.size(); ++k) {
     const double f = static_cast<double>(k) * step;

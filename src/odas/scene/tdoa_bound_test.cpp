@@ -8,7 +8,7 @@
 #include "odas/scene/noise.hpp"
 #include "odas/scene/simulate.hpp"
 
-namespace odas {
+namespace odas::tdoa_bound_test {
 namespace {
 
 Scene scene_of(float snr_db, float rt60 = 0) {
@@ -49,4 +49,4 @@ TEST(TdoaBound, Echoes_and_noise_make_it_worse) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::tdoa_bound_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::track_score_test {
 namespace {
 
 Direction at(double azimuth, double elevation = 0) {
@@ -120,4 +120,4 @@ TEST(Median, is_the_middle_or_the_mean_of_the_middle_two) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::track_score_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::trajectory_test {
 namespace {
 
 const std::vector<Waypoint> kWalk{{1, -20, 0, 1}, {3, 20, 10, 2}, {4, 20, 10, 1}};
@@ -36,4 +36,4 @@ TEST(Trajectory, Knows_who_is_at_rest) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::trajectory_test

@@ -9,7 +9,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::truth_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +93,4 @@ TEST_F(TruthFile, does_not_take_sound_of_another_rate) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::truth_file_test

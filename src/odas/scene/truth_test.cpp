@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::truth_test {
 namespace {
 
 Direction at(double azimuth, double elevation) {
@@ -30,4 +30,4 @@ TEST(Distance, of_a_direction_to_itself_is_zero_though_rounding_makes_it_longer_
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::truth_test

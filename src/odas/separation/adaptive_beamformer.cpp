@@ -7,6 +7,7 @@
 
 #include "odas/base/contract.hpp"
 #include "odas/dsp/noise_field.hpp"
+#include "odas/dsp/tiny_power.hpp"
 #include "odas/separation/factor_kernels.hpp"
 
 namespace odas {
@@ -36,7 +37,6 @@ constexpr float kLoadStep = 1.05F;
 constexpr float kMostLoading = 1e3F;
 // The power that silence counts as, with samples of full scale 1: under one 24-bit step in a frame.
 constexpr float kSilence = 1e-12F;
-constexpr float kTiny = 1e-30F;
 
 /// to = scale from, bin by bin, all rows.
 void scale(const BinBlocks& from, const BinReals& by, BinBlocks& to) noexcept {
@@ -64,7 +64,7 @@ void square(const BinBlocks& row, BinReals& power) noexcept {
   }
 }
 
-float decibels(float ratio) noexcept { return 10 * std::log10(std::max(ratio, kTiny)); }
+float decibels(float ratio) noexcept { return 10 * std::log10(std::max(ratio, kTinyPower)); }
 
 }  // namespace
 
@@ -196,7 +196,7 @@ void AdaptiveBeamformer::steer(Slot& slot, Vec3 direction) noexcept {
 /// What was measured turns with the direction: c_m conj(old d_m) d_m, and takes the new reference.
 void AdaptiveBeamformer::turn(Slot& slot, std::size_t reference) noexcept {
   for (std::size_t k = 0; k < bins_; ++k) {
-    const float power = std::max(slot.column.get(reference, k).real(), kTiny);
+    const float power = std::max(slot.column.get(reference, k).real(), kTinyPower);
     const cfloat to_new = std::conj(slot.column.get(slot.reference, k)) / power;
     const auto turned = [&](std::size_t m) {
       const cfloat by = slot.steering.get(m, k) * std::conj(old_.get(m, k));
@@ -259,7 +259,7 @@ void AdaptiveBeamformer::look_ahead(std::size_t s) noexcept {
   Slot& slot = slots_[s];
   inner_product(slot.solved, x_, row_);
   square(row_, gain_);
-  for (std::size_t k = 0; k < bins_; ++k) gain_[k] /= slot.response[k] * slot.response[k] + kTiny;
+  for (std::size_t k = 0; k < bins_; ++k) gain_[k] /= slot.response[k] * slot.response[k] + kTinyPower;
   for (std::size_t k = 0; k < bins_; ++k) {
     const float near =
         0.25F * gain_[k == 0 ? 0 : k - 1] + 0.5F * gain_[k] + 0.25F * gain_[k + 1 == bins_ ? k : k + 1];
@@ -317,9 +317,9 @@ void AdaptiveBeamformer::solve(Slot& slot) noexcept {
   factor_backward(slot.factor, slot.solved);
   inner_product(slot.solved, slot.solved, row_);
   for (std::size_t k = 0; k < bins_; ++k) {
-    slot.talker[k] = std::max(slot.column.get(slot.reference, k).real(), kTiny);
+    slot.talker[k] = std::max(slot.column.get(slot.reference, k).real(), kTinyPower);
     slot.response[k] = norm_[k] / slot.talker[k];
-    slot.wng[k] = slot.response[k] * slot.response[k] / (row_.get(0, k).real() + kTiny);
+    slot.wng[k] = slot.response[k] * slot.response[k] / (row_.get(0, k).real() + kTinyPower);
   }
 }
 
@@ -327,7 +327,7 @@ void AdaptiveBeamformer::solve(Slot& slot) noexcept {
 float AdaptiveBeamformer::gain_of(const Slot& slot, std::size_t bin) const noexcept {
   const float share = slot.share[bin];
   const float mu = config_.tradeoff * (1.01F - share) / (share + 0.01F);
-  return 1 / (slot.response[bin] + std::min(mu, kMostWiener * slot.response[bin]) + kTiny);
+  return 1 / (slot.response[bin] + std::min(mu, kMostWiener * slot.response[bin]) + kTinyPower);
 }
 
 void AdaptiveBeamformer::form(std::size_t s, std::span<cfloat> beam) noexcept {
@@ -337,7 +337,7 @@ void AdaptiveBeamformer::form(std::size_t s, std::span<cfloat> beam) noexcept {
     slot.weights.fill({});
     return;
   }
-  for (std::size_t k = 0; k < bins_; ++k) keep_[k] = kFloorBias * floor_[k] + kTiny;
+  for (std::size_t k = 0; k < bins_; ++k) keep_[k] = kFloorBias * floor_[k] + kTinyPower;
   for (const Slot& other : slots_) {
     if (&other == &slot || !other.heard) continue;
     for (std::size_t k = 0; k < bins_; ++k) keep_[k] += other.talker[k];
@@ -346,7 +346,7 @@ void AdaptiveBeamformer::form(std::size_t s, std::span<cfloat> beam) noexcept {
     inner_product(slot.column, slot.column, row_);
     const auto mics = static_cast<float>(mics_);
     for (std::size_t k = 0; k < bins_; ++k) {
-      gain_[k] = std::sqrt(row_.get(0, k).real() / mics) / (slot.response[k] * slot.talker[k] + kTiny);
+      gain_[k] = std::sqrt(row_.get(0, k).real() / mics) / (slot.response[k] * slot.talker[k] + kTinyPower);
     }
   } else {
     for (std::size_t k = 0; k < bins_; ++k) gain_[k] = gain_of(slot, k);
@@ -397,7 +397,7 @@ BeamReport AdaptiveBeamformer::report(std::size_t slot) const noexcept {
     gain += decibels(s.wng[k]);
   }
   const auto bins = static_cast<float>(bins_);
-  return {decibels(s.signal / (s.noise + kTiny)), gain / bins, condition / bins};
+  return {decibels(s.signal / (s.noise + kTinyPower)), gain / bins, condition / bins};
 }
 
 GridView<const cfloat> AdaptiveBeamformer::weights(std::size_t slot) const noexcept {

@@ -11,7 +11,7 @@
 
 #include "odas/dsp/noise_field.hpp"
 
-namespace odas {
+namespace odas::adaptive_beamformer_test {
 namespace {
 
 using Criterion = AdaptiveBeamformer::Criterion;
@@ -192,4 +192,4 @@ TEST(AdaptiveBeamformer, allocates_nothing_with_a_known_noise) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::adaptive_beamformer_test

@@ -7,7 +7,7 @@
 #include "support/wave_field.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::delay_and_sum_test {
 namespace {
 
 using test::plane_wave;
@@ -129,4 +129,4 @@ TEST(DelayAndSum, weighs_nothing_in_a_slot_that_fell_empty) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::delay_and_sum_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::factor_kernels_test {
 namespace {
 
 constexpr std::size_t kBins = 37;  // not whole blocks
@@ -144,4 +144,4 @@ TEST_P(Factor, columns_and_inner_products_are_those_of_plain_loops) {
 INSTANTIATE_TEST_SUITE_P(Mics, Factor, testing::Values(1U, 2U, 5U, 16U));
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::factor_kernels_test

@@ -11,7 +11,7 @@
 
 #include "odas/separation/delay_and_sum.hpp"
 
-namespace odas {
+namespace odas::gss_test {
 namespace {
 
 using test::add_plane_wave;
@@ -235,4 +235,4 @@ TEST(GeometricSeparation, begins_afresh_where_its_step_is_too_large) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::gss_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::hann_smoother_test {
 namespace {
 
 /// The definition: y[k] = sum_i h[i] x[k - (i - width / 2)] over the whole spectrum of `frame` points.
@@ -55,4 +55,4 @@ TEST(HannSmoother, leaves_a_flat_spectrum_flat) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::hann_smoother_test

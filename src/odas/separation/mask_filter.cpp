@@ -6,13 +6,13 @@
 #include <complex>
 
 #include "odas/base/contract.hpp"
+#include "odas/dsp/tiny_power.hpp"
 
 namespace odas {
 namespace {
 // Weights of the new value per hop: in the powers of beams, and in a gain that falls.
-constexpr float kQuick = 0.5F;
+constexpr float kFollow = 0.5F;
 constexpr float kFall = 0.5F;
-constexpr float kTiny = 1e-30F;
 
 }  // namespace
 
@@ -45,7 +45,7 @@ void MaskFilter::apply(GridView<const cfloat> /*spectra*/, GridView<const float>
 }
 
 void MaskFilter::measure(std::span<const Track> tracks, GridView<const cfloat> beams) noexcept {
-  std::fill(sum_.begin(), sum_.end(), kTiny);
+  std::fill(sum_.begin(), sum_.end(), kTinyPower);
   for (std::size_t s = 0; s < ids_.size(); ++s) {
     if (tracks[s].id == 0) {
       ids_[s] = 0;
@@ -64,7 +64,7 @@ void MaskFilter::measure(std::span<const Track> tracks, GridView<const cfloat> b
     for (std::size_t k = 0; k < raw_.size(); ++k) {
       const float near =
           0.25F * raw_[k == 0 ? 0 : k - 1] + 0.5F * raw_[k] + 0.25F * raw_[k + 1 == raw_.size() ? k : k + 1];
-      power[k] += kQuick * (near - power[k]);
+      power[k] += kFollow * (near - power[k]);
       sum_[k] += power[k];
     }
   }
@@ -74,7 +74,7 @@ void MaskFilter::shape(std::size_t slot, std::span<const float> mask) noexcept {
   const std::span<const float> power = power_[slot];
   for (std::size_t k = 0; k < raw_.size(); ++k) {
     const float m = mask.empty() ? power[k] / sum_[k] : std::min(mask[k], 1.F);
-    raw_[k] = std::max(m / (m + config_.leak * (1 - m) + kTiny), config_.g_min);
+    raw_[k] = std::max(m / (m + config_.leak * (1 - m) + kTinyPower), config_.g_min);
   }
   const std::span<float> gain = gains_[slot];
   for (std::size_t k = 0; k < raw_.size(); ++k) {

@@ -6,7 +6,7 @@
 #include "support/wave_field.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::mask_filter_test {
 namespace {
 
 constexpr std::size_t kBins = 129;
@@ -41,4 +41,4 @@ TEST(MaskFilter, passes_what_is_the_talkers_and_holds_the_rest_at_the_floor) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::mask_filter_test

@@ -12,7 +12,7 @@
 #include "odas/dsp/mcra.hpp"
 #include "odas/separation/delay_and_sum.hpp"
 
-namespace odas {
+namespace odas::multi_source_filter_test {
 namespace {
 
 using test::Noise;
@@ -264,4 +264,4 @@ TEST(MultiSourceFilter, takes_silence_and_great_loudness) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::multi_source_filter_test

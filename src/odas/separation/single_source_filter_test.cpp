@@ -9,7 +9,7 @@
 
 #include "odas/separation/delay_and_sum.hpp"
 
-namespace odas {
+namespace odas::single_source_filter_test {
 namespace {
 
 using test::Noise;
@@ -86,4 +86,4 @@ TEST(SingleSourceFilter, keeps_silence_silent) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::single_source_filter_test

@@ -9,7 +9,7 @@
 #include "support/wave_field.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::steering_test {
 namespace {
 
 GeneralConfig array_of(std::size_t mics, int frame_size, float radius) {
@@ -104,4 +104,4 @@ TEST(Steering, hears_nothing_from_a_direction_that_is_not_finite) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::steering_test

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "odas/base/contract.hpp"
+#include "odas/dsp/tiny_power.hpp"
 #include "odas/separation/factor_kernels.hpp"
 
 namespace odas {
@@ -20,8 +21,7 @@ constexpr float kShareMemory = 0.9F;
 // Nobody is ever ruled out.
 constexpr float kLeastShare = 1e-3F;
 // The floor lies under the mean power of the noise by about this factor.
-constexpr float kFloorBias = 2;
-constexpr float kTiny = 1e-30F;
+constexpr float kMinimumBias = 2;
 
 }  // namespace
 
@@ -80,7 +80,7 @@ void TalkerMasks::listen(std::size_t slot, const BinBlocks& steering) noexcept {
     for (std::size_t m = 0; m < mics_; ++m) {
       float* p = look.pattern.at(b, m);
       for (std::size_t i = 0; i < kBlockBins; ++i) {
-        const float scale = 1 / std::sqrt(gain.data()[b * kBlockBins + i] + kTiny);
+        const float scale = 1 / std::sqrt(gain.data()[b * kBlockBins + i] + kTinyPower);
         p[i] *= scale;
         p[i + kBlockBins] *= scale;
       }
@@ -113,11 +113,11 @@ void TalkerMasks::update(const BinBlocks& x, std::span<const BinReals> powers,
     listeners += 1;
     score(look, powers[s]);
     const float* p = powers[s].data();
-    for (std::size_t k = 0; k < bins_; ++k) inverse[k] += 1 / (p[k] + kTiny);
+    for (std::size_t k = 0; k < bins_; ++k) inverse[k] += 1 / (p[k] + kTinyPower);
   }
   if (listeners == 0) return;
   for (std::size_t k = 0; k < bins_; ++k) {
-    const float mean = (listeners + 1) / (inverse[k] + 1 / (kFloorBias * floor[k] + kTiny));
+    const float mean = (listeners + 1) / (inverse[k] + 1 / (kMinimumBias * floor[k] + kTinyPower));
     diffuse_score_[k] = mean * mean;
     loudness_[k] = std::sqrt(std::sqrt(energy_[k]));
   }
@@ -143,9 +143,9 @@ void TalkerMasks::score(Look& look, const BinReals& power) noexcept {
     const std::size_t first = b * kBlockBins;
     for (std::size_t i = 0; i < kBlockBins; ++i) {
       const std::size_t k = first + i;
-      const float ratio = std::min((re[i] * re[i] + im[i] * im[i]) / (energy_.data()[k] + kTiny), 1.F);
+      const float ratio = std::min((re[i] * re[i] + im[i] * im[i]) / (energy_.data()[k] + kTinyPower), 1.F);
       const float likelihood = look.narrowing.data()[k] / (1 - look.surety.data()[k] * ratio);
-      const float root = (power.data()[k] + kTiny) * likelihood;
+      const float root = (power.data()[k] + kTinyPower) * likelihood;
       look.score.data()[k] = root * root;
     }
   }
@@ -154,13 +154,13 @@ void TalkerMasks::score(Look& look, const BinReals& power) noexcept {
 /// Masks by the shares as they are; with `loudness`, the shares follow the masks.
 void TalkerMasks::share(std::span<const float> loudness) noexcept {
   const float diffuse = diffuse_share_ + kLeastShare;
-  for (std::size_t k = 0; k < bins_; ++k) sum_[k] = diffuse * diffuse_score_[k] + kTiny;
+  for (std::size_t k = 0; k < bins_; ++k) sum_[k] = diffuse * diffuse_score_[k] + kTinyPower;
   for (const Look& look : looks_) {
     if (!look.listens) continue;
     const float pi = look.share + kLeastShare;
     for (std::size_t k = 0; k < bins_; ++k) sum_[k] += pi * look.score[k];
   }
-  float all = kTiny;
+  float all = kTinyPower;
   for (const float e : loudness) all += e;
   float others = 1;
   for (std::size_t s = 0; s < looks_.size(); ++s) {

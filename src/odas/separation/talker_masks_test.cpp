@@ -6,7 +6,7 @@
 
 #include "odas/separation/factor_kernels.hpp"
 
-namespace odas {
+namespace odas::talker_masks_test {
 namespace {
 
 constexpr std::size_t kBins = 129;
@@ -62,4 +62,4 @@ TEST(TalkerMasks, diffuse_coherence_is_one_at_zero_and_falls_with_distance) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::talker_masks_test

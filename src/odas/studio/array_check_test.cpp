@@ -6,7 +6,7 @@
 #include "support/studio_parts.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::array_check_test {
 namespace {
 
 using nlohmann::json;
@@ -34,4 +34,4 @@ TEST(ArrayCheck, of_what_is_wrong_says_the_faults) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::array_check_test

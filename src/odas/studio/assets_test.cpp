@@ -6,7 +6,7 @@
 #include "support/scratch.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::assets_test {
 namespace {
 
 TEST(Assets, are_the_files_of_the_page) {
@@ -33,4 +33,4 @@ TEST(Assets, weigh_little_enough_for_a_phone) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::assets_test

@@ -17,9 +17,9 @@ std::optional<std::uint64_t> number(std::string_view text) {
 }  // namespace
 
 RangeKind read_range(std::string_view header, std::uint64_t size, ByteRange& range) {
-  constexpr std::string_view kUnit = "bytes=";
-  if (!header.starts_with(kUnit) || header.find(',') != std::string_view::npos) return RangeKind::whole;
-  header.remove_prefix(kUnit.size());
+  constexpr std::string_view kBytes = "bytes=";
+  if (!header.starts_with(kBytes) || header.find(',') != std::string_view::npos) return RangeKind::whole;
+  header.remove_prefix(kBytes.size());
   const std::size_t dash = header.find('-');
   if (dash == std::string_view::npos) return RangeKind::whole;
   const std::string_view from = header.substr(0, dash), to = header.substr(dash + 1);

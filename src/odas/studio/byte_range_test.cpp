@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::byte_range_test {
 namespace {
 
 TEST(ByteRange, reads_what_browsers_ask_for) {
@@ -35,4 +35,4 @@ TEST(ByteRange, takes_everything_else_for_the_whole) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::byte_range_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace odas {
+namespace odas::client_feed_test {
 namespace {
 
 using nlohmann::json;
@@ -209,4 +209,4 @@ TEST_F(ClientFeedTest, sends_meters_power_and_health_when_they_are_due) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::client_feed_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::client_hall_test {
 namespace {
 
 using nlohmann::json;
@@ -140,4 +140,4 @@ TEST_F(ClientHallTest, tells_topics_to_those_who_asked_and_their_past_to_newcome
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::client_hall_test

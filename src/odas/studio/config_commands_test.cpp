@@ -6,7 +6,7 @@
 
 #include "odas/studio/engine_host.hpp"
 
-namespace odas {
+namespace odas::config_commands_test {
 namespace {
 
 TEST(ConfigCommands, check_and_list) {
@@ -31,4 +31,4 @@ TEST(ConfigCommands, check_and_list) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::config_commands_test

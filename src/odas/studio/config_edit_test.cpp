@@ -6,7 +6,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::config_edit_test {
 namespace {
 
 TEST(ConfigEdit, writes_values_as_a_configuration_has_them) {
@@ -58,4 +58,4 @@ TEST(ConfigEdit, refuses_paths_that_lead_nowhere) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::config_edit_test

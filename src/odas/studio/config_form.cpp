@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "odas/base/overloaded.hpp"
 #include "odas/studio/config_values.hpp"
 
 namespace odas {
@@ -13,13 +14,6 @@ namespace odas {
 using nlohmann::json;
 
 namespace {
-
-template <class... F>
-struct Overloaded : F... {
-  using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 const char* kind_of(const FieldValue& value) {
   return std::visit(

@@ -4,7 +4,7 @@
 #include "support/studio_parts.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::config_form_test {
 namespace {
 
 using nlohmann::json;
@@ -65,4 +65,4 @@ TEST(ConfigForm, tells_what_is_written_from_what_holds) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::config_form_test

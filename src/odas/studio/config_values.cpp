@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "odas/base/overloaded.hpp"
 #include "odas/config/phrases.hpp"
 
 namespace odas {
@@ -12,13 +13,6 @@ namespace odas {
 using nlohmann::json;
 
 namespace {
-
-template <class... F>
-struct Overloaded : F... {
-  using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 /// As it was written: 0.1, not 0.10000000149.
 json number(float value) {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace odas {
+namespace odas::config_values_test {
 namespace {
 
 TEST(ConfigValues, are_those_of_the_configuration_by_its_keys) {
@@ -18,4 +18,4 @@ TEST(ConfigValues, are_those_of_the_configuration_by_its_keys) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::config_values_test

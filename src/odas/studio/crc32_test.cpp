@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::crc32_test {
 namespace {
 
 TEST(Crc32, has_the_values_of_the_standard) {
@@ -25,4 +25,4 @@ TEST(Crc32, does_not_depend_on_the_pieces) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::crc32_test

@@ -7,7 +7,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::document_test {
 namespace {
 
 TEST(Document, is_read_and_checked) {
@@ -34,4 +34,4 @@ TEST(Document, is_saved_whole_or_not_at_all) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::document_test

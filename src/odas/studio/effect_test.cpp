@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::effect_test {
 namespace {
 
 TEST(Effect, is_as_gentle_as_can_be) {
@@ -25,4 +25,4 @@ TEST(Effect, has_the_names_of_the_protocol) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::effect_test

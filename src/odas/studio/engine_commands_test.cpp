@@ -6,7 +6,7 @@
 
 #include "odas/studio/engine_host.hpp"
 
-namespace odas {
+namespace odas::engine_commands_test {
 namespace {
 
 TEST(EngineCommands, write_targets_and_faults_as_the_protocol_has_them) {
@@ -39,4 +39,4 @@ TEST(EngineCommands, are_for_operators_where_they_change_something) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::engine_commands_test

@@ -7,7 +7,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::engine_host_test {
 namespace {
 
 using std::chrono::seconds;
@@ -58,4 +58,4 @@ TEST_F(EngineHostTest, outlives_a_source_that_cannot_be_opened_and_faults_of_a_c
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::engine_host_test

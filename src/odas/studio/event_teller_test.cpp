@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace odas {
+namespace odas::event_teller_test {
 namespace {
 
 using nlohmann::json;
@@ -66,4 +66,4 @@ TEST(EventTeller, forgets_everybody_when_another_run_begins) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::event_teller_test

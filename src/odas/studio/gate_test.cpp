@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::gate_test {
 namespace {
 
 int status(const Gate& gate, const Visitor& visitor) { return gate.judge(visitor).status; }
@@ -55,4 +55,4 @@ TEST(Gate, makes_tokens_that_differ) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::gate_test

@@ -5,7 +5,7 @@
 #include "support/kept_hops.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::hop_joiner_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -245,4 +245,4 @@ TEST_F(HopJoinerTest, brings_sound_of_another_rate_to_the_rate_of_the_tracks) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::hop_joiner_test

@@ -4,7 +4,7 @@
 #include "support/fake_io.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::hop_ring_test {
 namespace {
 
 StreamInfo some_run(std::uint64_t id) {
@@ -108,4 +108,4 @@ TEST(HopRing, forgets_the_hops_of_a_run_when_another_begins) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::hop_ring_test

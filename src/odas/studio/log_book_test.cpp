@@ -4,7 +4,7 @@
 #include "support/studio_parts.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::log_book_test {
 namespace {
 
 TEST(LogBook, tells_all_pages_each_line_with_its_level) {
@@ -19,4 +19,4 @@ TEST(LogBook, tells_all_pages_each_line_with_its_level) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::log_book_test

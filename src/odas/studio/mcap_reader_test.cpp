@@ -7,7 +7,7 @@
 #include "odas/base/error.hpp"
 #include "odas/studio/mcap_writer.hpp"
 
-namespace odas {
+namespace odas::mcap_reader_test {
 namespace {
 
 /// Three chunks of four messages.
@@ -88,4 +88,4 @@ TEST(McapReader, refuses_what_is_no_mcap) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::mcap_reader_test

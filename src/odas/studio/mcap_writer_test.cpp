@@ -8,7 +8,7 @@
 #include "odas/base/error.hpp"
 #include "odas/studio/mcap_reader.hpp"
 
-namespace odas {
+namespace odas::mcap_writer_test {
 namespace {
 
 constexpr int kMessages = 20;
@@ -97,4 +97,4 @@ TEST(Mcap, that_cannot_be_written_is_said) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::mcap_writer_test

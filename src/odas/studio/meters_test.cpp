@@ -4,7 +4,7 @@
 #include "support/fake_io.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::meters_test {
 namespace {
 
 /// A second and a bit of three microphones, of which `spoil` makes what it likes of each hop of 160.
@@ -51,4 +51,4 @@ TEST(MicMeters, call_nothing_dead_where_all_are_still) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::meters_test

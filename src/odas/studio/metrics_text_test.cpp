@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace odas {
+namespace odas::metrics_text_test {
 namespace {
 
 TEST(MetricsText, is_what_Prometheus_reads) {
@@ -33,4 +33,4 @@ TEST(MetricsText, is_what_Prometheus_reads) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::metrics_text_test

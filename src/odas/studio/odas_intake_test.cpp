@@ -12,7 +12,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::odas_intake_test {
 namespace {
 
 using test::eventually;
@@ -225,4 +225,4 @@ TEST(OdasIntakeConfig, of_impossible_numbers_is_refused) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::odas_intake_test

@@ -6,7 +6,7 @@
 #include "support/studio_parts.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::odas_view_test {
 namespace {
 
 TEST(OdasSender, is_as_its_configuration_says) {
@@ -65,4 +65,4 @@ TEST(OdasView, shows_who_comes_with_the_microphones_that_are_known_and_says_when
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::odas_view_test

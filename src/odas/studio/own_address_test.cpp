@@ -4,7 +4,7 @@
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::own_address_test {
 namespace {
 
 TEST(OwnAddress, is_a_number_that_leads_beyond_this_machine_or_nothing) {
@@ -16,4 +16,4 @@ TEST(OwnAddress, is_a_number_that_leads_beyond_this_machine_or_nothing) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::own_address_test

@@ -6,7 +6,7 @@
 #include "support/scratch.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::own_file_test {
 namespace {
 
 TEST(OwnFile, names_that_lead_elsewhere_are_refused) {
@@ -50,4 +50,4 @@ TEST(OwnFile, the_folder_is_the_one_of_the_configuration_or_the_users) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::own_file_test

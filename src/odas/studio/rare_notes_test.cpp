@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::rare_notes_test {
 namespace {
 
 TEST(RareNotes, let_each_kind_through_once_a_minute) {
@@ -17,4 +17,4 @@ TEST(RareNotes, let_each_kind_through_once_a_minute) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::rare_notes_test

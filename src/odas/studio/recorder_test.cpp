@@ -11,7 +11,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::recorder_test {
 namespace {
 
 using What = Recorder::What;
@@ -209,4 +209,4 @@ TEST_F(Recording, takes_words_while_it_goes_on_and_afterwards) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::recorder_test

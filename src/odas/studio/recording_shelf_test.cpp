@@ -10,7 +10,7 @@
 #include "odas/studio/rpc.hpp"
 #include "odas/studio/take.hpp"
 
-namespace odas {
+namespace odas::recording_shelf_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -123,4 +123,4 @@ TEST(RecordingShelf, draws_the_waveform_of_the_file) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::recording_shelf_test

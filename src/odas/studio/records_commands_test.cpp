@@ -8,7 +8,7 @@
 
 #include "odas/studio/records.hpp"
 
-namespace odas {
+namespace odas::records_commands_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,4 +98,4 @@ TEST_F(Downloads, export_a_session) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::records_commands_test

@@ -12,7 +12,7 @@
 #include "odas/base/error.hpp"
 #include "odas/studio/session_reader.hpp"
 
-namespace odas {
+namespace odas::records_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -211,4 +211,4 @@ TEST_F(RecordsTest, are_used_by_several_threads_at_once) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::records_test

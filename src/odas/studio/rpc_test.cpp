@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::rpc_test {
 namespace {
 
 using nlohmann::json;
@@ -47,4 +47,4 @@ TEST(RpcRegistry, lists_its_methods) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::rpc_test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace odas {
+namespace odas::run_figures_test {
 namespace {
 
 TEST(RunFigures, are_those_of_this_process) {
@@ -34,4 +34,4 @@ TEST(RunFigures, follow_the_run) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::run_figures_test

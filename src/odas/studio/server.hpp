@@ -53,7 +53,7 @@ class StudioServer final : public HopListener, public Announcer {
   /// "http://127.0.0.1:8080/", with the operators' token where one is needed.
   [[nodiscard]] std::string url() const;
 
-  class Body;  // in http_server.cpp
+  class Body;  // server_body.hpp
 
  private:
   std::unique_ptr<Body> body_;

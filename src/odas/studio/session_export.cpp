@@ -51,7 +51,7 @@ struct Row {
 const char* class_of(int category) { return category == 2 ? "speech" : category == 1 ? "nonspeech" : ""; }
 
 /// A field of CSV: with quotes where it must.
-std::string quoted(const std::string& text) {
+std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -60,7 +60,7 @@ std::string quoted(const std::string& text) {
 
 void write_csv(std::ostream& out, std::uint64_t hop, double time, const std::string& utc, const Row& row) {
   out << fmt::format("{},{:.3f},{},{},{},{},{:.4f},{:.4f},{:.4f},{:.2f},{:.2f},{:.3f},{},{}\n", hop, time,
-                     utc, row.slot, row.id, quoted(row.tag), row.direction.x, row.direction.y,
+                     utc, row.slot, row.id, csv_field(row.tag), row.direction.x, row.direction.y,
                      row.direction.z, azimuth_deg(row.direction), elevation_deg(row.direction), row.activity,
                      row.level ? fmt::format("{:.1f}", *row.level) : "", class_of(row.category));
 }

@@ -9,7 +9,7 @@
 
 #include "odas/studio/session_recorder.hpp"
 
-namespace odas {
+namespace odas::session_export_test {
 namespace {
 
 using nlohmann::json;
@@ -85,4 +85,4 @@ TEST(SessionExport, knows_its_formats) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::session_export_test

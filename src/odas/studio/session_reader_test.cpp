@@ -8,7 +8,7 @@
 #include "odas/base/error.hpp"
 #include "odas/studio/session_recorder.hpp"
 
-namespace odas {
+namespace odas::session_reader_test {
 namespace {
 
 std::string a_session(const test::Scratch& scratch) {
@@ -67,4 +67,4 @@ TEST(SessionReader, passes_over_a_message_that_was_damaged_and_says_so) {
 TEST(SessionReader, refuses_other_files) { EXPECT_THROW(SessionReader("/nowhere/a.mcap"), IoError); }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::session_reader_test

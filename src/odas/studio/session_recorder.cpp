@@ -17,7 +17,7 @@ namespace {
 using std::chrono::system_clock;
 
 constexpr std::size_t kPacket = 1024;  // samples, about: 24 bytes of head are then nothing
-constexpr std::size_t kSampleBytes = 2;
+constexpr std::size_t kPcmBytes = 2;
 
 }  // namespace
 
@@ -75,13 +75,13 @@ void SessionRecorder::hear(const HopResult& hop, AudioStream stream) {
   std::vector<Packet>& packets = packets_[static_cast<std::size_t>(stream)];
   const std::size_t rows = raw ? audio.rows() : std::min(audio.rows(), hop.tracks.size());
   if (packets.size() < rows) packets.resize(rows);
-  bytes_.resize(audio.cols() * kSampleBytes);
+  bytes_.resize(audio.cols() * kPcmBytes);
   for (std::size_t i = 0; i < rows; ++i) {
     Packet& packet = packets[i];
     const auto id = static_cast<std::uint32_t>(raw ? i + 1 : hop.tracks[i].id);
     if (packet.header.track != id) put_packet(packet, AudioHeader::kLast);
     const std::uint64_t index = (hop.time - 1) * info_->hop_size;
-    const std::uint64_t expected = packet.header.index + packet.samples.size() / kSampleBytes;
+    const std::uint64_t expected = packet.header.index + packet.samples.size() / kPcmBytes;
     const bool torn = packet.header.track == id && index != expected;
     if (torn) put_packet(packet, 0);
     if (packet.samples.empty()) {
@@ -92,7 +92,7 @@ void SessionRecorder::hear(const HopResult& hop, AudioStream stream) {
     if (id == 0) continue;
     encode_pcm(GridView<const float>(audio[i].data(), 1, audio.cols()), gain_of(*info_, stream), 16, bytes_);
     put_bytes(packet.samples, bytes_);
-    if (packet.samples.size() >= kPacket * kSampleBytes) put_packet(packet, 0);
+    if (packet.samples.size() >= kPacket * kPcmBytes) put_packet(packet, 0);
   }
 }
 
@@ -101,7 +101,7 @@ void SessionRecorder::put_packet(Packet& packet, std::uint16_t flags) {
   const bool last = (flags & AudioHeader::kLast) != 0;
   // A voice that ends is told so, even if all of it has been written.
   if (header.track == 0 || (packet.samples.empty() && !last)) return;
-  header.samples = static_cast<std::uint16_t>(packet.samples.size() / kSampleBytes);
+  header.samples = static_cast<std::uint16_t>(packet.samples.size() / kPcmBytes);
   header.flags = static_cast<std::uint16_t>(header.flags | flags);
   message_.clear();
   append_header(message_, header);

@@ -10,7 +10,7 @@
 #include "odas/base/error.hpp"
 #include "odas/studio/session_reader.hpp"
 
-namespace odas {
+namespace odas::session_recorder_test {
 namespace {
 
 using nlohmann::json;
@@ -143,4 +143,4 @@ TEST(SessionRecorder, a_folder_that_cannot_be_written_is_said) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::session_recorder_test

@@ -8,7 +8,7 @@
 #include "odas/studio/rpc.hpp"
 #include "odas/studio/session_recorder.hpp"
 
-namespace odas {
+namespace odas::session_shelf_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,4 +71,4 @@ TEST(SessionShelf, never_touches_the_file_of_somebody_else_where_a_label_would_g
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::session_shelf_test

@@ -14,9 +14,9 @@
 namespace odas {
 namespace {
 
-constexpr int kRoundMs = 20;  // sound comes by the hop: there is no hurry
+constexpr int kWaitMs = 20;  // sound comes by the hop: there is no hurry
 constexpr int kIdleMs = 100;
-constexpr std::size_t kPiece = 65536;
+constexpr std::size_t kReadBytes = 65536;
 constexpr std::size_t kLongestLine = 65536;
 constexpr std::size_t kSampleBytes = 2;
 
@@ -135,7 +135,7 @@ void Speech::run() {
     const std::vector<Voice*> served = start_programs();
     std::vector<pollfd> outputs;
     for (const Voice* voice : served) outputs.push_back({voice->program->output(), POLLIN, 0});
-    if (!outputs.empty()) ::poll(outputs.data(), outputs.size(), kRoundMs);
+    if (!outputs.empty()) ::poll(outputs.data(), outputs.size(), kWaitMs);
     for (Voice* voice : served) serve(*voice);
     std::unique_lock lock(mutex_);
     for (auto voice = voices_.begin(); voice != voices_.end();) {
@@ -145,7 +145,7 @@ void Speech::run() {
       voices_.clear();
       return;
     }
-    wake_.wait_for(lock, std::chrono::milliseconds(voices_.empty() ? kIdleMs : kRoundMs));
+    wake_.wait_for(lock, std::chrono::milliseconds(voices_.empty() ? kIdleMs : kWaitMs));
   }
 }
 
@@ -165,7 +165,7 @@ void Speech::serve(Voice& voice) {
   } else if (over) {
     program.close_input();
   }
-  const std::string output = program.read(kPiece);
+  const std::string output = program.read(kReadBytes);
   const Clock::time_point now = Clock::now();
   if (now - voice.second > std::chrono::seconds(1)) {
     voice.second = now;

@@ -6,7 +6,7 @@
 #include "support/net_peer.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::speech_program_test {
 namespace {
 
 using test::eventually;
@@ -78,4 +78,4 @@ TEST_F(SpeechProgramTest, is_killed_with_all_that_it_has_started) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::speech_program_test

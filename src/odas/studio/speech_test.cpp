@@ -9,7 +9,7 @@
 #include "support/net_peer.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::speech_test {
 namespace {
 
 using test::eventually;
@@ -132,4 +132,4 @@ TEST_F(SpeechTest, without_a_command_nothing_happens) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::speech_test

@@ -4,7 +4,7 @@
 #include "support/studio_parts.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::stream_info_test {
 namespace {
 
 TEST(StreamInfo, says_what_a_document_is_as_a_run) {
@@ -26,4 +26,4 @@ TEST(StreamInfo, names_the_source_in_short) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::stream_info_test

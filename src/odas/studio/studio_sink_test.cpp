@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::studio_sink_test {
 namespace {
 
 class Listener final : public HopListener {
@@ -35,4 +35,4 @@ TEST(StudioSink, hands_every_hop_to_all_and_says_before_it_that_the_run_goes_on_
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::studio_sink_test

@@ -5,7 +5,7 @@
 #include "support/web_client.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::studio_test {
 namespace {
 
 TEST(Studio, serves_its_page_with_nothing_configured) {
@@ -21,4 +21,4 @@ TEST(Studio, serves_its_page_with_nothing_configured) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::studio_test

@@ -6,7 +6,7 @@
 
 #include "odas/studio/rpc.hpp"
 
-namespace odas {
+namespace odas::subscription_test {
 namespace {
 
 using nlohmann::json;
@@ -44,4 +44,4 @@ TEST(Subscription, says_what_it_does_not_understand) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::subscription_test

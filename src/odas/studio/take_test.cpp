@@ -7,7 +7,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::take_test {
 namespace {
 
 using nlohmann::json;
@@ -99,4 +99,4 @@ TEST(Take, of_a_full_disk_is_an_error_and_leaves_a_whole_file) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::take_test

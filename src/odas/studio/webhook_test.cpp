@@ -11,7 +11,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::webhook_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -181,4 +181,4 @@ TEST(WebhookAddress, must_be_one_of_the_web) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::webhook_test

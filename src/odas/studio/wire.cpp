@@ -9,10 +9,12 @@
 #include <fmt/chrono.h>
 #include <nlohmann/json.hpp>
 
+#include "odas/studio/little_endian.hpp"
+
 namespace odas {
 namespace {
 
-constexpr double kSilence = -120;  // dB: below it nobody hears anything
+constexpr double kInaudible = -120;  // dB: below it nobody hears anything
 
 template <class Value>
 void put(std::string& to, Value value) {
@@ -35,7 +37,7 @@ double level_db(std::span<const float> voice) {
   double sum = 0;
   for (const float x : voice) sum += static_cast<double>(x) * static_cast<double>(x);
   const double db = 10 * std::log10(sum / static_cast<double>(voice.size()));
-  return db > kSilence ? db : kSilence;
+  return db > kInaudible ? db : kInaudible;
 }
 
 void put_track(std::string& to, std::size_t slot, const Track& track, GridView<const float> voices) {
@@ -62,11 +64,6 @@ void put_track(std::string& to, std::size_t slot, const Track& track, GridView<c
 }
 
 nlohmann::json vector_of(Vec3 v) { return nlohmann::json::array({v.x, v.y, v.z}); }
-
-template <class Int>
-void put_bytes(std::vector<char>& to, Int value) {
-  for (std::size_t i = 0; i < sizeof value; ++i) to.push_back(static_cast<char>((value >> (8 * i)) & 0xFF));
-}
 
 }  // namespace
 
@@ -150,11 +147,11 @@ void append_hop(std::string& to, const HopResult& hop, bool with_potentials) {
 
 void append_header(std::vector<char>& to, const AudioHeader& header) {
   to.insert(to.end(), {1, 1, 1, static_cast<char>(header.stream)});
-  put_bytes(to, header.track);
-  put_bytes(to, header.index);
-  put_bytes(to, header.rate);
-  put_bytes(to, header.samples);
-  put_bytes(to, header.flags);
+  put_le(to, header.track);
+  put_le(to, header.index);
+  put_le(to, header.rate);
+  put_le(to, header.samples);
+  put_le(to, header.flags);
 }
 
 }  // namespace odas

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace odas {
+namespace odas::wire_test {
 namespace {
 
 using nlohmann::json;
@@ -79,4 +79,4 @@ TEST(Wire, a_run_has_its_microphones_and_its_time) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::wire_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::work_queue_test {
 namespace {
 
 TEST(WorkQueue, does_one_thing_after_another_in_order) {
@@ -47,4 +47,4 @@ TEST(WorkQueue, begins_nothing_once_it_is_stopped) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::work_queue_test

@@ -7,7 +7,7 @@
 
 #include "odas/base/error.hpp"
 
-namespace odas {
+namespace odas::zip_test {
 namespace {
 
 class Zip : public testing::TestWithParam<bool> {};
@@ -63,4 +63,4 @@ TEST(ZipWriter, of_a_full_disk_says_so) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::zip_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::association_test {
 namespace {
 
 double gaussian(double x, double mu, double variance) {
@@ -126,4 +126,4 @@ TEST(Association, Of_an_energy_that_is_no_number_finds_nothing) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::association_test

@@ -38,12 +38,6 @@ constexpr float kBesideCosine = 0.87F;
 constexpr float kBlur2East = 0.0016F, kBlur2North = 0.008F;
 constexpr double kSoon = 1, kOverlap = 0.3, kLongOverlap = 3;  // s
 
-std::uint64_t hops_in(double seconds, double hop_seconds) {
-  constexpr double kForEver = 1e18;
-  return hop_seconds > 0 ? static_cast<std::uint64_t>(std::min(std::ceil(seconds / hop_seconds), kForEver))
-                         : 0;
-}
-
 /// Nearer than two people stand. Where elevation is worse heard than azimuth, what floor and ceiling send
 /// back, at the azimuth of their talker, is in one place with them.
 bool one_place(Walker::Offset apart, TangentCovariance blur) {

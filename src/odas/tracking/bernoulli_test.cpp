@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::bernoulli_test {
 namespace {
 
 constexpr double kHop = 0.008;
@@ -158,4 +158,4 @@ TEST(Bernoulli, tells_that_azimuth_is_surer_than_elevation) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::bernoulli_test

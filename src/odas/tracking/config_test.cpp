@@ -4,7 +4,7 @@
 #include "support/schema_check.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::config_test {
 namespace {
 
 TEST(SstConfigTest, Has_a_sound_schema_and_defaults_within_it) {
@@ -14,4 +14,4 @@ TEST(SstConfigTest, Has_a_sound_schema_and_defaults_within_it) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::config_test

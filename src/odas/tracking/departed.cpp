@@ -12,6 +12,12 @@ constexpr std::size_t kCapacity = 64;
 
 }  // namespace
 
+std::uint64_t hops_in(double seconds, double hop_seconds) noexcept {
+  constexpr double kForEver = 1e18;
+  return hop_seconds > 0 ? static_cast<std::uint64_t>(std::min(std::ceil(seconds / hop_seconds), kForEver))
+                         : 0;
+}
+
 Departed::Departed(std::uint64_t hops) : hops_(hops), sources_(hops > 0 ? kCapacity : 0) {}
 
 void Departed::add(std::uint64_t id, Vec3 direction, std::size_t slot) noexcept {

@@ -9,6 +9,9 @@
 
 namespace odas {
 
+/// How many hops such a time takes; none where hops have no length.
+[[nodiscard]] std::uint64_t hops_in(double seconds, double hop_seconds) noexcept;
+
 /// Sources whose tracks have ended, for as long as they may come back and be known again.
 class Departed {
  public:

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::departed_test {
 namespace {
 
 TEST(Departed, are_known_again_within_the_time_and_no_later) {
@@ -64,4 +64,4 @@ TEST(Departed, are_the_latest_64_and_the_oldest_goes_first) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::departed_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::energy_histogram_test {
 namespace {
 
 TEST(EnergyHistogram, counts_and_finds_quantiles) {
@@ -36,4 +36,4 @@ TEST(EnergyHistogram, adds_another) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::energy_histogram_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::energy_mixture_test {
 namespace {
 
 TEST(EnergyMixture, is_the_log_of_the_weighted_sum_of_its_gaussians) {
@@ -31,4 +31,4 @@ TEST(EnergyMixture, adds_logs_that_exp_cannot_hold) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::energy_mixture_test

@@ -8,7 +8,7 @@
 #include "support/plane_wave.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::kalman_test {
 namespace {
 
 constexpr double kHop = 0.008;
@@ -127,4 +127,4 @@ TEST(Kalman, Keeps_its_direction_while_nothing_is_active) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::kalman_test

@@ -19,7 +19,7 @@ constexpr double kLeastVariance = 1e-4;
 constexpr double kHopsThatAreAlike = 8;  // a frame of 16 ms every 8 ms, and words that last
 constexpr double kLeastHeard = 0.05;     // of talk: less is chance
 constexpr double kAlike = 0.35;          // equal error of what is no better than silence
-constexpr double kTiny = 1e-12;          // density far from everything
+constexpr double kTinyDensity = 1e-12;   // density far from everything
 
 double gaussian(const GaussianConfig& g, double energy) noexcept {
   const double variance = g.sigma2;
@@ -72,7 +72,7 @@ double step(const EnergyHistogram& data, const Known& known, Fit& fit) {
     if (count == 0) continue;
     const double energy = EnergyHistogram::energy(bin);
     std::array<double, kMostGaussians> p{};
-    double total = kTiny;
+    double total = kTinyDensity;
     for (std::size_t k = 0; k < known.size(); ++k) total += fit.known_weights[k] * known[k][bin];
     for (std::size_t k = 0; k < fit.mixture.size(); ++k) total += p[k] = gaussian(fit.mixture[k], energy);
     log_likelihood += count * std::log(total);
@@ -141,12 +141,12 @@ bool narrow(Mixture& mixture, double energy) {
 /// Below the E from which on the active win they must not win again, above they must not lose: from a little
 /// below the least E that was measured, to 1, the most that there is.
 void keep_order(Mixture& active, Mixture& inactive, double least) {
-  constexpr double kBelow = 0.03, kMost = 1;
+  constexpr double kBelow = 0.03, kMostEnergy = 1;
   const auto bin_of = [](double energy) {
     return static_cast<std::size_t>(
         std::max(0.0, (energy - EnergyHistogram::kLow) / EnergyHistogram::kWidth));
   };
-  const std::size_t from = bin_of(least - kBelow), to = bin_of(kMost);
+  const std::size_t from = bin_of(least - kBelow), to = bin_of(kMostEnergy);
   for (bool changed = true; changed;) {
     changed = false;
     const Bins a = densities(active), i = densities(inactive);

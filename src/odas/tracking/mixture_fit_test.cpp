@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::mixture_fit_test {
 namespace {
 
 /// `hops` draws of a mixture.
@@ -116,4 +116,4 @@ TEST(Separation, is_what_two_equal_gaussians_make_it) {
 TEST(Separation, is_none_without_mixtures) { EXPECT_EQ(separation({}, {}).equal_error, 1); }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::mixture_fit_test

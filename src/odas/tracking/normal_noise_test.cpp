@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::normal_noise_test {
 namespace {
 
 TEST(NormalNoise, has_mean_0_variance_1_and_tails_that_end) {
@@ -74,4 +74,4 @@ TEST(NormalNoise, uniform_numbers_fill_the_unit_interval) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::normal_noise_test

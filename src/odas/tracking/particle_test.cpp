@@ -9,7 +9,7 @@
 #include "support/plane_wave.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::particle_test {
 namespace {
 
 using test::angle_deg;
@@ -138,4 +138,4 @@ TEST(Particle, survives_what_no_particle_explains) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::particle_test

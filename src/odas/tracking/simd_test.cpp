@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::simd_test {
 namespace {
 
 TEST(ExpMinus, is_right_to_1e_5_of_itself) {
@@ -30,4 +30,4 @@ TEST(ExpMinus, is_small_and_no_denormal_far_off) {
 TEST(Simd, sums_four_numbers) { EXPECT_EQ(sum_of(Floats{1, 2, 4, 8}), 15.F); }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::simd_test

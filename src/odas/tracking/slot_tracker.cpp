@@ -11,16 +11,6 @@
 #include "odas/tracking/particle.hpp"
 
 namespace odas {
-namespace {
-
-std::uint64_t hops_in(double seconds, double hop_seconds) {
-  constexpr double kForEver = 1e18;
-  return hop_seconds > 0 ? static_cast<std::uint64_t>(std::min(std::ceil(seconds / hop_seconds), kForEver))
-                         : 0;
-}
-
-}  // namespace
-
 template <class Filter>
 SlotTracker<Filter>::SlotTracker(const SstConfig& config, const TrackerContext& context,
                                  const Filter& prototype)

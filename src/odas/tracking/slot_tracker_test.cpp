@@ -8,7 +8,7 @@
 #include "support/plane_wave.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::slot_tracker_test {
 namespace {
 
 using test::angle_deg;
@@ -388,4 +388,4 @@ TEST_F(MemoryTest, Without_it_ids_are_never_used_again) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::slot_tracker_test

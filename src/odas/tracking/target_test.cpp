@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::target_test {
 namespace {
 
 TEST(TargetList, leaves_out_what_cannot_be_followed_and_counts_it) {
@@ -35,4 +35,4 @@ TEST(TargetList, keeps_the_first_64) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::target_test

@@ -7,7 +7,7 @@
 #include "support/plane_wave.hpp"
 #include <gtest/gtest.h>
 
-namespace odas {
+namespace odas::walker_test {
 namespace {
 
 constexpr double kHop = 0.008;
@@ -96,4 +96,4 @@ TEST(Walker, forgives_elevation_where_it_is_badly_heard_and_azimuth_not) {
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::walker_test
