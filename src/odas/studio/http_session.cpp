@@ -21,7 +21,6 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace http = beast::http;
 using Error = boost::system::error_code;
-using nlohmann::json;
 using Request = http::request<http::string_body>;
 
 constexpr std::uint32_t kMostHeader = 16U << 10;
@@ -114,7 +113,7 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession> {
     if (const Asset* asset = find_asset(path_)) return send_asset(*asset);
     if (path_ == "/api/v1/info") return send_text(server_->hall.hello(role_).dump(), "application/json");
     if (path_ == "/metrics") {
-      return send_text(metrics_text(json::parse(server_->hall.health(0))), "text/plain; version=0.0.4");
+      return send_text(metrics_text(server_->hall.figures()), "text/plain; version=0.0.4");
     }
     if (path_ == "/healthz") {
       const std::string failure = server_->hooks().failure ? server_->hooks().failure() : "";

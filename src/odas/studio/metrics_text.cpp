@@ -47,7 +47,7 @@ std::string head_of(const Figure& figure) {
   return fmt::format("# HELP {0} {1}\n# TYPE {0} {2}\n", figure.name, figure.meaning, figure.kind);
 }
 
-std::string stages_text(const nlohmann::json& stages) {
+std::string stage_lines(const nlohmann::json& stages) {
   if (stages.empty()) return "";
   const Figure figure{"", "odas_stage_seconds", "gauge", 1e-6, "Time that a stage takes of a hop, mean."};
   std::string text = head_of(figure);
@@ -58,7 +58,7 @@ std::string stages_text(const nlohmann::json& stages) {
   return text;
 }
 
-std::string beams_text(const nlohmann::json& beams) {
+std::string beam_lines(const nlohmann::json& beams) {
   std::string text;
   for (std::size_t f = 0; f < kBeamFigures.size(); ++f) {
     std::string lines;
@@ -83,7 +83,7 @@ std::string metrics_text(const nlohmann::json& health) {
     text += head_of(figure) + fmt::format("{} {}\n", figure.name, found->get<double>() * figure.factor);
   }
   const auto nothing = nlohmann::json::array();
-  return text + stages_text(health.value("stages", nothing)) + beams_text(health.value("beams", nothing));
+  return text + stage_lines(health.value("stages", nothing)) + beam_lines(health.value("beams", nothing));
 }
 
 }  // namespace odas
