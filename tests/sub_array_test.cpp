@@ -13,7 +13,7 @@
 #include "odas/scene/simulate.hpp"
 #include "odas/separation/delay_and_sum.hpp"
 
-namespace odas {
+namespace odas::sub_array_test {
 namespace {
 
 constexpr std::size_t kFrame = 512, kHop = 128;
@@ -91,4 +91,4 @@ TEST(SubArray, of_the_microphones_that_hear_a_direction_is_a_decibel_better_than
 }
 
 }  // namespace
-}  // namespace odas
+}  // namespace odas::sub_array_test
