@@ -13,19 +13,44 @@ run_ctest() { ctest --test-dir "$1" --output-on-failure --no-tests=error -j "$jo
 # Hundreds of passed tests say nothing; the others and the counts do.
 quiet() { grep -vE "^ *[0-9]+/[0-9]+ Test .* Passed |^ *Start +[0-9]+: |^Internal ctest|^Test project" || true; }
 
+# Tests wait more than they work: those of one build run while the next is compiled. `settle` shows what they said.
+running=() said=$(mktemp -d)
+trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$said"' EXIT
+meanwhile() {
+  "$@" >"$said/$1" 2>&1 &
+  running+=("$1:$!")
+}
+settle() {
+  local status=0 name
+  for job in "${running[@]}"; do
+    name=${job%:*}
+    step "what ${name//_/ } said"
+    wait "${job#*:}" || status=$?
+    cat "$said/$name"
+  done
+  running=()
+  return "$status"
+}
+
 asan() {
   step "clang 14 builds everything; ASan and UBSan watch all tests"
   cmake --preset asan-ubsan -DODAS_BUILD_BENCHES=OFF >/dev/null
   cmake --build build-asan-ubsan
+  meanwhile asan_tests
+}
+asan_tests() {
   LSAN_OPTIONS="suppressions=$PWD/scripts/lsan.supp:print_suppressions=0" run_ctest build-asan-ubsan -LE tree
 }
 
 tsan() {
   step "TSan watches base, engine and io"
-  cmake --preset tsan -DODAS_BUILD_BENCHES=OFF >/dev/null
+  cmake --preset tsan -DODAS_BUILD_BENCHES=OFF -DODAS_WITH_STUDIO=OFF >/dev/null
   cmake --build build-tsan --target base_test engine_test io_test
+  meanwhile tsan_tests
+}
+tsan_tests() {
   for room in base engine io; do
-    build-tsan/bin/${room}_test --gtest_brief=1
+    build-tsan/bin/${room}_test --gtest_brief=1 || return
   done
 }
 
@@ -34,8 +59,9 @@ arm64() {
   scripts/install_packages.sh arm64
   cmake --preset arm64 >/dev/null
   cmake --build build-arm64
-  run_ctest build-arm64
+  meanwhile arm64_tests
 }
+arm64_tests() { run_ctest build-arm64; }
 
 # Without a network, or on another system, the packages of the other architecture may be out of reach.
 arm64-if-possible() {
@@ -66,6 +92,7 @@ check() {
   step "release build with g++; all tests, and the checks of the tree"
   cmake --preset release -DODAS_BUILD_TESTS=ON >/dev/null
   cmake --build build
+  settle
   run_ctest build
 }
 
@@ -79,3 +106,4 @@ web() {
 }
 
 for part in "$@"; do "$part"; done
+settle
