@@ -37,7 +37,7 @@ export class FakeDaemon {
   /** Says hops five times a second until `stop`, for each time all is drawn anew; `scene` may be changed meanwhile. */
   feed(scene) {
     this.hops(12, scene.tracks, scene.potentials);
-    this.timer = setInterval(() => this.hops(25, scene.tracks, scene.potentials), 200);
+    this.timer = setInterval(() => this.hops(12, scene.tracks, scene.potentials), 100);
     return scene;
   }
 
