@@ -5,11 +5,12 @@ import { networkInterfaces } from "node:os";
 import { test } from "node:test";
 
 import { useStudio } from "../support/browser.mjs";
+import { kListening } from "../support/chromium.mjs";
 import { FakeDaemon } from "../support/daemon.mjs";
 import { audio, hello, kHop, kRate, run } from "../support/fixtures.mjs";
 import { voices } from "../support/voices.mjs";
 
-const studio = useStudio();
+const studio = useStudio({ flags: kListening });
 
 const kHertz = { 11: 440, 12: 700 };
 

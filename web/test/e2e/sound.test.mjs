@@ -6,15 +6,18 @@ import { join } from "node:path";
 import { after, test } from "node:test";
 
 import { useStudio } from "../support/browser.mjs";
+import { kListening } from "../support/chromium.mjs";
 import { missing, startDaemon, temporaryFolder } from "../support/real_daemon.mjs";
 import { piecesAgainst, samplesOf } from "../support/sound.mjs";
 
-const studio = useStudio();
+const studio = useStudio({ flags: kListening });
 const folder = temporaryFolder();
 after(() => folder.remove());
 
 const kRate = 16000;
 const kSeconds = 60;
+/** Of what was played the page keeps the first half minute for us. */
+const kKept = 30;
 const skip = missing || (process.env.ODAS_SOAK ? false : "a minute of sound, heard in real time: make soak runs it");
 /** Other programs of this computer may take it away for longer than sound can wait: so often it is tried again. */
 const kTries = 3;
@@ -58,7 +61,8 @@ test("what is heard in the page is the recording of the same voice", { skip, tim
   const card = page.locator("[data-voice]", { hasText: "desk" }).first();
   await card.waitFor();
   const id = await card.getAttribute("data-voice");
-  await card.getByRole("button", { name: "Record" }).first().click();
+  await card.getByRole("button", { name: "Record", exact: true }).click();
+  await card.getByRole("button", { name: "Stop recording" }).waitFor();
   await card.getByRole("button", { name: "Listen" }).click();
   await page.waitForFunction(() => globalThis.odasTest.probes.audio().report.played > 0);
   let now = await listen(page);
@@ -69,7 +73,7 @@ test("what is heard in the page is the recording of the same voice", { skip, tim
   const pieces = piecesAgainst(now.heard, samplesOf(readFileSync(join(folder.path, name))), kRate / 2).sort((a, b) => a - b);
   const median = pieces[Math.floor(pieces.length / 2)];
   context.diagnostic(`SI-SDR of ${pieces.length} half seconds: median ${median.toFixed(0)} dB, least ${pieces[0].toFixed(0)} dB; ${now.underruns} underruns; ${now.latency} ms behind`);
-  assert.ok(pieces.length >= 2 * kSeconds - 3, `${pieces.length} pieces`);
+  assert.ok(pieces.length >= 2 * kKept - 3, `${pieces.length} pieces`);
   assert.ok(median > 40, `${median} dB`);
   assert.equal(now.underruns, 0);
   assert.ok(now.latency > 0 && now.latency < 250, `${now.latency} ms`);

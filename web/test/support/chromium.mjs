@@ -4,11 +4,11 @@ import { chromium } from "playwright-core";
 
 const executablePath = process.env.ODAS_CHROMIUM ?? "/usr/bin/chromium";
 
+/** For sound: nothing takes the page's thread from it. */
+export const kListening = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--autoplay-policy=no-user-gesture-required"];
+
 /** WebGL is drawn by software; the page is not put together by WebGL as well, which would take most of the time of all tests. */
-const kArguments = [
-  "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-compositing",
-  "--autoplay-policy=no-user-gesture-required",
-];
+const kArguments = [...kListening, "--disable-gpu-compositing"];
 
 /** `--disable-gpu` and no software: WebGL is missing. */
 export const kNoWebGL = ["--no-sandbox", "--disable-gpu", "--disable-software-rasterizer"];

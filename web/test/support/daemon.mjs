@@ -34,7 +34,7 @@ export class FakeDaemon {
     this.send(message);
   }
 
-  /** Says hops five times a second until `stop`, for each time all is drawn anew; `scene` may be changed meanwhile. */
+  /** Says hops ten times a second until `stop`; `scene` may be changed meanwhile. */
   feed(scene) {
     this.hops(12, scene.tracks, scene.potentials);
     this.timer = setInterval(() => this.hops(12, scene.tracks, scene.potentials), 100);

@@ -48,15 +48,15 @@ function placeOf(heard, at, truth, from, to, count) {
  * is passed over.
  */
 export function piecesAgainst(heard, truth, count) {
+  const sure = 20; // dB: a piece that was played faster may be likest at a wrong place, from which none should be followed
   const all = [];
   let expected = -1;
   for (let at = count; at + count <= heard.length; at += count) {
-    const near = count / 2;
-    let place = expected < 0 ? -1 : placeOf(heard, at, truth, expected - near, expected + near, count);
-    if (place < 0 && expected < 0) place = placeOf(heard, at, truth, 0, truth.length, count);
-    all.push(place < 0 ? -Infinity : siSdr(heard, at, truth, place, count));
-    if (place >= 0) expected = place + count;
-    else if (expected >= 0) expected += count;
+    const scoreOf = (place) => (place < 0 ? -Infinity : siSdr(heard, at, truth, place, count));
+    let place = expected < 0 ? -1 : placeOf(heard, at, truth, expected - count / 2, expected + count / 2, count);
+    if (scoreOf(place) < sure) place = placeOf(heard, at, truth, 0, truth.length, count);
+    all.push(scoreOf(place));
+    expected = scoreOf(place) < sure ? -1 : place + count;
   }
   return all;
 }
