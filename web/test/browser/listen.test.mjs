@@ -103,11 +103,15 @@ test("in a plain network, where there is no worklet, scheduled buffers play", { 
 
 test("another voice is taken up without a click; no voice is heard under another's name", async () => {
   const { page, daemon, done } = await open();
-  await listen(page, 11);
-  const { report } = await heard(page, 8000);
-  await page.evaluate(() => globalThis.odasTest.probes.clearTap());
-  await listen(page, 12);
-  await heard(page, report.played + 12000);
+  // Other programs of this computer may take it away for longer than sound can wait: then the change is heard again.
+  for (let tries = 0, gaps = 1; tries < 5 && gaps > 0; tries++) {
+    await listen(page, 11);
+    const before = (await heard(page, 8000)).report;
+    await page.evaluate(() => globalThis.odasTest.probes.clearTap());
+    await listen(page, 12);
+    const after = (await heard(page, before.played + 12000)).report;
+    gaps = after.underruns - before.underruns;
+  }
   assert.deepEqual(daemon.subscription.audio, [{ stream: "separated", track: 12 }]);
   const samples = await tap(page);
   const steepest = 0.3 * 2 * Math.sin((Math.PI * 700) / kRate);
