@@ -119,7 +119,7 @@ class View {
 
   void pointing(const MicConfig& mic) {
     const Vec3 out = normalized(Vec3{mic.direction[0], mic.direction[1], mic.direction[2]});
-    if (mic.angle[0] >= 180 && out.z > 0.99F) return;  // everywhere alike
+    if (is_omni(mic) && out.z > 0.99F) return;  // everywhere alike
     const std::array<float, 3> direction{out.x, out.y, out.z};
     const Spot from = place(static_cast<double>(mic.mu[across_]), static_cast<double>(mic.mu[up_]));
     const double dx = static_cast<double>(direction[across_]), dy = -static_cast<double>(direction[up_]);

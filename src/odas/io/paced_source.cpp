@@ -5,8 +5,6 @@
 #include <thread>
 
 namespace odas {
-namespace {}  // namespace
-
 PacedSource::PacedSource(std::unique_ptr<AudioSource> recording)
     : PacedSource(std::move(recording), {[] { return Clock::now(); },
                                          [](Clock::duration time) { std::this_thread::sleep_for(time); }}) {}

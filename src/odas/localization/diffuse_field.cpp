@@ -9,8 +9,7 @@ namespace odas {
 namespace {
 
 bool all_open(const GeneralConfig& general) {
-  return std::all_of(general.mics.begin(), general.mics.end(),
-                     [](const MicConfig& mic) { return mic.angle[0] >= 180; });
+  return std::all_of(general.mics.begin(), general.mics.end(), is_omni);
 }
 
 double sinc(double x) { return x < 1e-6 ? 1 : std::sin(x) / x; }

@@ -10,16 +10,21 @@
 namespace odas::listening_test {
 namespace {
 
-TEST(Listening, Hears_every_hop_of_the_scene_from_its_first_on) {
-  Scene scene;
-  scene.seconds = 0.4;
-  Configuration config;
+/// 6 cm apart, in the scene and in the configuration that listens to it.
+void put_two_microphones(Scene& scene, Configuration& config) {
   for (const float x : {-0.03F, 0.03F}) {
     MicConfig mic;
     mic.mu = {x, 0, 0};
     config.pipeline.general.mics.push_back(mic);
     scene.mics.push_back({{x, 0, 0}, {0, 0, 1}, 1, 1});
   }
+}
+
+TEST(Listening, Hears_every_hop_of_the_scene_from_its_first_on) {
+  Scene scene;
+  scene.seconds = 0.4;
+  Configuration config;
+  put_two_microphones(scene, config);
   config.pipeline.wanted = {true, true, false, false};
   SimulatedScene simulated;
   simulated.mics = Grid<float>(2, scene.samples());
@@ -36,12 +41,7 @@ TEST(Listening, Gives_each_voice_for_the_hop_that_it_is_of_however_late_it_comes
   Scene scene;
   scene.seconds = 1;
   Configuration config;
-  for (const float x : {-0.03F, 0.03F}) {
-    MicConfig mic;
-    mic.mu = {x, 0, 0};
-    config.pipeline.general.mics.push_back(mic);
-    scene.mics.push_back({{x, 0, 0}, {0, 0, 1}, 1, 1});
-  }
+  put_two_microphones(scene, config);
   config.pipeline.sst.target = {{"above", 0, 0, 1}};
   config.pipeline.sss.lookback = 100;
   config.pipeline.sss.frame_size = 512;
