@@ -25,7 +25,7 @@ float bin_hz(const GeneralConfig& general) {
 constexpr std::array<Pair, 1> kSelf{{{0, 0}}};  // a channel with itself: the pattern of a plane wave
 
 /// Log-odds of potentials on talkers against the others: lines over ln E, from a logistic regression over the
-/// scenes of docs/localization.md. A single hop may be chance or a click; a talker fills seven hops of the
+/// scenes of docs/localization.md. A single hop may be chance or a click; a talker fills six hops of the
 /// average and more. Later potentials must stand out of what the first leaves over. Where one or a few talk,
 /// the first has at least half of all that passes the gate (`share`); of a crowd it has a fifth: then the
 /// onsets are as clear as a talker's, but come from everywhere.
@@ -36,7 +36,7 @@ float evidence(float energy, float strongest, float share, float hops) noexcept 
   if (!(energy > 0)) return kLeast;
   const float crowd = std::min(std::log(std::max(share, 1e-3F) / kOfTalkers), 0.F);
   const float log_energy = std::log(energy);
-  const float persistence = 1.2F * std::log(std::max(hops, 1.F) / 7);
+  const float persistence = 1.2F * std::log(std::max(hops, 1.F) / 6);
   const float first = 11.3F + 1.36F * log_energy + persistence + 2.5F * crowd;
   const float later =
       8.0F + 0.65F * log_energy + 1.75F * std::log(energy / strongest) + persistence + 1.2F * crowd;

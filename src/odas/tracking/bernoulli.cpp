@@ -12,13 +12,13 @@ namespace odas {
 namespace {
 
 // Talkers and rooms, by docs/tracking.md.
-constexpr double kIndependent = 0.048;                     // s between two observations that tell anew
+constexpr double kIndependent = 0.064;                     // s between two observations that tell anew
 constexpr double kFound = 0.8;                             // a source that sounds is among the potentials
 constexpr double kNew = 0.05;                              // prior of a new source, to that of none
 constexpr double kFallsSilent = 0.5, kSpeaks = 0.5;        // s, means: until a voice pauses, and is back
 constexpr double kOpens = 0.3;                             // evidence of a potential that opens a candidate
-constexpr double kConfirmed = 3, kLed = 2;                 // nats: all evidence, and of hops that it led
-constexpr double kConfirmedUnled = 6;                      // all evidence of who did not lead
+constexpr double kConfirmed = 1.5, kLed = 1.5;             // nats: all evidence, and of hops that it led
+constexpr double kConfirmedUnled = 4;                      // all evidence of who did not lead
 constexpr double kConfirmedBeside = 9.5, kLedBeside = 8;   // of who is beside a track
 constexpr double kBehind = 1.2;                            // nats; louder by less is not louder
 constexpr double kGivenUp = -1.2;                          // of a candidate
@@ -29,13 +29,13 @@ constexpr double kEarned = 0.03, kEarnedAlone = 0.1;       // s more for each na
 constexpr double kAlone = 45 * std::numbers::pi / 180;     // of azimuth: no other track is as near
 constexpr double kSamePlace = 8 * std::numbers::pi / 180;  // of azimuth: nearer than two people stand
 constexpr double kBeside = 25 * std::numbers::pi / 180;    // of azimuth: where a talker's reflections are
-constexpr double kMine = 4;  // as much likelier than another's an observation is when it moves a track
+constexpr double kMine = 2;  // as much likelier than another's an observation is when it moves a track
 constexpr double kEchoes = 40 * std::numbers::pi / 180;  // of elevation, floor and ceiling from their talker
 constexpr double kGoesOn = 1;                            // s of silence in which who walks walks on
 constexpr double kPause = 0.2, kPace = 20 * std::numbers::pi / 180;  // s, rad/s of somebody who walks by
 constexpr double kLess = 0.5, kLessNear = 1.5, kLessOld = 0.6;
 constexpr float kBesideCosine = 0.87F;
-constexpr float kBlur2East = 0.0016F, kBlur2North = 0.008F;
+constexpr float kBlur2East = 0.002F, kBlur2North = 0.008F;
 constexpr double kSoon = 1, kOverlap = 0.3, kLongOverlap = 3;  // s
 
 /// Nearer than two people stand. Where elevation is worse heard than azimuth, what floor and ceiling send
@@ -309,7 +309,7 @@ void BernoulliTracker::bury() noexcept {
 }
 
 /// A reflection is seldom louder than its talker, never for long, and mostly beside him: who has not led the
-/// hops needs twice the evidence, and beside a track it takes more of both.
+/// hops needs more evidence, and beside a track it takes more of both.
 void BernoulliTracker::confirm() noexcept {
   for (Source& candidate : candidates_) {
     if (candidate.stage == Stage::free) continue;
