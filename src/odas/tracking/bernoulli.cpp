@@ -242,7 +242,11 @@ void BernoulliTracker::follow(Source& source, std::span<const Link> links) noexc
     // finds one direction, between them. They keep their ways until it can only be the one's.
     double sure = std::max(link.share - std::max(taken, 0.0), 0.0);
     if (!is_candidate) sure *= std::clamp(1 + kMine * (1 - heard.seen_fit / link.fit.density), 0.0, 1.0);
-    source.walker.observe(link.offset, heard.covariance, own_share_ * sure * link.fit.clean * heard.pull);
+    // Of its height an observation tells as much as is usual here. By its own covariance the high ones would
+    // count most, for near the plane of a flat array peaks are widest.
+    TangentCovariance covariance = heard.covariance;
+    covariance.north = source.blur.north;
+    source.walker.observe(link.offset, covariance, own_share_ * sure * link.fit.clean * heard.pull);
     source.blur.east += 0.05F * static_cast<float>(link.share) * (heard.covariance.east - source.blur.east);
     source.blur.north +=
         0.05F * static_cast<float>(link.share) * (heard.covariance.north - source.blur.north);

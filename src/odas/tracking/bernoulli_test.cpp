@@ -157,5 +157,16 @@ TEST(Bernoulli, tells_that_azimuth_is_surer_than_elevation) {
   EXPECT_GT(covariance.north, 2 * covariance.east);
 }
 
+TEST(Bernoulli, takes_the_middle_of_heights_of_which_the_high_ones_look_surer) {
+  Heard run;
+  for (int h = 0; h < 600; ++h) {
+    const bool high = h / 6 % 2 == 0;
+    const Vec3 u = direction_of(30, high ? 35 : 5);
+    run.tracker->update(std::vector<Potential>{{u, 0, 5, {0.0012F, high ? 0.005F : 0.08F, 0}}}, run.tracks);
+  }
+  ASSERT_EQ(run.living(), 1);
+  EXPECT_NEAR(elevation_deg(run.tracks[0].direction), 20, 4);
+}
+
 }  // namespace
 }  // namespace odas::bernoulli_test
