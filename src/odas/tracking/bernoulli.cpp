@@ -34,6 +34,9 @@ constexpr double kEchoes = 40 * std::numbers::pi / 180;  // of elevation, floor 
 constexpr double kGoesOn = 1;                            // s of silence in which who walks walks on
 constexpr double kPause = 0.2, kPace = 20 * std::numbers::pi / 180;  // s, rad/s of somebody who walks by
 constexpr double kLess = 0.5, kLessNear = 1.5, kLessOld = 0.6;
+// Speech swells and fades: the deviation of ln E over two seconds is 1, of a fan or a motor 0.45.
+constexpr double kLoudness = 2;   // s
+constexpr double kSteady = 0.55;  // deviation; less of it does not speak
 constexpr float kBesideCosine = 0.87F;
 constexpr float kBlur2East = 0.002F, kBlur2North = 0.008F;
 constexpr double kSoon = 1, kOverlap = 0.3, kLongOverlap = 3;  // s
@@ -150,6 +153,8 @@ void BernoulliTracker::take(std::span<const Potential> potentials) noexcept {
       const auto energy = static_cast<double>(potential.energy);
       evidence = active_.log_density(energy) - inactive_.log_density(energy);
       heard.covariance = {config_.sigma_r2_active, config_.sigma_r2_active, 0};
+    } else if (potential.energy > 0) {
+      heard.loudness = std::log(static_cast<double>(potential.energy));
     }
     if (!std::isfinite(evidence)) continue;
     constexpr double kSurest = 12;
@@ -252,6 +257,7 @@ void BernoulliTracker::follow(Source& source, std::span<const Link> links) noexc
         0.05F * static_cast<float>(link.share) * (heard.covariance.north - source.blur.north);
   }
   if (source.stage != Stage::target) source.walker.settle();
+  listen(source, links);
   source.activity = 1 - silent;
   const double before = is_candidate ? 1 : source.sounding;
   const double gain = own_share_ * std::log(1 - before + before * is_there);
@@ -261,6 +267,25 @@ void BernoulliTracker::follow(Source& source, std::span<const Link> links) noexc
   source.sounding = std::clamp(sigmoid(odds + own_share_ * std::log(sounds)), 1e-3, 1 - 1e-3);
   source.silent_hops = source.sounding > 0.5 ? 0 : source.silent_hops + 1;
   ++source.age;
+}
+
+/// How much its loudness varies while it is heard.
+void BernoulliTracker::listen(Source& source, std::span<const Link> links) const noexcept {
+  constexpr double kOwn = 0.5;
+  for (std::size_t s = 0; s < links.size(); ++s) {
+    if (links[s].share < kOwn || heard_[s].loudness == 0) continue;
+    source.heard_s = std::min(source.heard_s + dt_, kLoudness);
+    const double step = dt_ / source.heard_s;
+    const double change = heard_[s].loudness - source.loudness;
+    source.loudness += step * change;
+    source.loudness_variance += step * ((1 - step) * change * change - source.loudness_variance);
+    break;
+  }
+}
+
+/// What sounds for long and hardly swells is a machine.
+bool BernoulliTracker::is_steady(const Source& source) noexcept {
+  return source.heard_s >= kLoudness && source.loudness_variance < kSteady * kSteady;
 }
 
 /// Of two in one place the younger goes: at once if it is not seen yet, else when it has stayed too long for
@@ -301,6 +326,11 @@ void BernoulliTracker::bury() noexcept {
   for (std::size_t t = 0; t < slots_.size(); ++t) {
     Source& source = slots_[t];
     if (source.stage != Stage::seen) continue;
+    if (is_steady(source)) {
+      departed_.add(source.id, source.walker.direction(), t);
+      hide(source);
+      continue;
+    }
     // Near another it may be what is left of one that the other follows now.
     const bool alone = !has_neighbour(source, kAlone);
     const double earned =
@@ -312,11 +342,24 @@ void BernoulliTracker::bury() noexcept {
   }
 }
 
+/// Goes on as a candidate, so that it is known where it sounds.
+void BernoulliTracker::hide(Source& source) noexcept {
+  const auto place = std::find_if(candidates_.begin(), candidates_.end(),
+                                  [](const Source& s) { return s.stage == Stage::free; });
+  if (place != candidates_.end()) {
+    *place = source;
+    place->stage = Stage::candidate;
+    place->id = 0;
+    place->tag = {};
+  }
+  clear(source);
+}
+
 /// A reflection is seldom louder than its talker, never for long, and mostly beside him: who has not led the
 /// hops needs more evidence, and beside a track it takes more of both.
 void BernoulliTracker::confirm() noexcept {
   for (Source& candidate : candidates_) {
-    if (candidate.stage == Stage::free) continue;
+    if (candidate.stage == Stage::free || is_steady(candidate)) continue;
     const bool beside = has_neighbour(candidate, kBeside);
     const bool led = candidate.strength >= (beside ? kLedBeside : kLed);
     const bool is_there = beside ? led && candidate.evidence >= kConfirmedBeside
