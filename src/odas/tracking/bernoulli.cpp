@@ -32,7 +32,7 @@ constexpr double kBeside = 25 * std::numbers::pi / 180;    // of azimuth: where 
 constexpr double kMine = 2;  // as much likelier than another's an observation is when it moves a track
 constexpr double kEchoes = 40 * std::numbers::pi / 180;  // of elevation, floor and ceiling from their talker
 constexpr double kGoesOn = 1;                            // s of silence in which who walks walks on
-constexpr double kPause = 0.2, kPace = 20 * std::numbers::pi / 180;  // s, rad/s of somebody who walks by
+constexpr double kPause = 0.1, kPace = 30 * std::numbers::pi / 180;  // s, rad/s of somebody who walks by
 constexpr double kLess = 0.5, kLessNear = 1.5, kLessOld = 0.6;
 // Speech swells and fades: the deviation of ln E over two seconds is 1, of a fan or a motor 0.45.
 constexpr double kLoudness = 2;   // s
@@ -310,9 +310,9 @@ void BernoulliTracker::merge() noexcept {
   }
 }
 
-bool BernoulliTracker::has_neighbour(const Source& source, double azimuth) const noexcept {
+bool BernoulliTracker::has_neighbour(const Source& source, double azimuth, const Source* but) const noexcept {
   return std::any_of(slots_.begin(), slots_.end(), [&](const Source& other) {
-    return &other != &source && other.stage != Stage::free &&
+    return &other != &source && &other != but && other.stage != Stage::free &&
            azimuth_between(other.walker.direction(), source.walker.direction()) < azimuth;
   });
 }
@@ -356,11 +356,12 @@ void BernoulliTracker::hide(Source& source) noexcept {
 }
 
 /// A reflection is seldom louder than its talker, never for long, and mostly beside him: who has not led the
-/// hops needs more evidence, and beside a track it takes more of both.
+/// hops needs more evidence, and beside a track it takes more of both; but who walked on is not beside
+/// himself.
 void BernoulliTracker::confirm() noexcept {
   for (Source& candidate : candidates_) {
     if (candidate.stage == Stage::free || is_steady(candidate)) continue;
-    const bool beside = has_neighbour(candidate, kBeside);
+    const bool beside = has_neighbour(candidate, kBeside, walked_on(candidate));
     const bool led = candidate.strength >= (beside ? kLedBeside : kLed);
     const bool is_there = beside ? led && candidate.evidence >= kConfirmedBeside
                                  : candidate.evidence >= (led ? kConfirmed : kConfirmedUnled);

@@ -92,7 +92,8 @@ class BernoulliTracker final : public Tracker {
   [[nodiscard]] static bool is_steady(const Source& source) noexcept;
   void merge() noexcept;
   /// Among the tracks, nearer than `azimuth` (rad).
-  [[nodiscard]] bool has_neighbour(const Source& source, double azimuth) const noexcept;
+  [[nodiscard]] bool has_neighbour(const Source& source, double azimuth,
+                                   const Source* but = nullptr) const noexcept;
   void bury() noexcept;
   void hide(Source& source) noexcept;
   void confirm() noexcept;
