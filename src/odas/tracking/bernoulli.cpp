@@ -369,11 +369,13 @@ void BernoulliTracker::confirm() noexcept {
   }
 }
 
-/// Somebody who fell silent as they walked, and may be here by now.
+/// Somebody who fell silent as they walked, this way, and may be here by now.
 BernoulliTracker::Source* BernoulliTracker::walked_on(const Source& candidate) noexcept {
   const auto is_it = [&](const Source& source) {
     const double silence = source.silent_hops * dt_;
+    const double ahead = source.walker.offset_of(candidate.walker.direction()).east;
     return source.stage == Stage::seen && silence >= kPause && source.walker.walking() > 0.5 &&
+           ahead * source.walker.turning() > 0 &&
            azimuth_between(source.walker.direction(), candidate.walker.direction()) <
                std::min(kSamePlace + kPace * silence, kBeside);
   };
