@@ -165,11 +165,11 @@ TEST(SeparationOfTalkers, has_nine_tenths_of_its_gain_within_a_second_and_a_half
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SeparationOfRooms,
-                         testing::Values(Bar{"rsp4_static1", 19.8, 20.6}, Bar{"rsp4_static2", 7.5, 9.4},
-                                         Bar{"rsp4_noisy1", 3.9, 7.3}, Bar{"uma7_static2", 5.9, 7.4},
-                                         Bar{"rsp4_moving1", 19.6, 19.6}, Bar{"rsp4_cross2", 4.4, 5.9},
-                                         Bar{"uma7_static4", 1.6, 4.7}, Bar{"oma16_static2", 7, 7.8},
-                                         Bar{"cma16_static2", 7.3, 7}),
+                         testing::Values(Bar{"rsp4_static1", 19.8, 20.7}, Bar{"rsp4_static2", 7.6, 9.9},
+                                         Bar{"rsp4_noisy1", 3.9, 7.6}, Bar{"uma7_static2", 5.9, 7.4},
+                                         Bar{"rsp4_moving1", 20.1, 20.0}, Bar{"rsp4_cross2", 4.5, 5.4},
+                                         Bar{"uma7_static4", 1.6, 5.2}, Bar{"oma16_static2", 7, 8},
+                                         Bar{"cma16_static2", 7.6, 7.4}),
                          [](const testing::TestParamInfo<Bar>& bar) { return std::string(bar.param.scene); });
 
 }  // namespace

@@ -25,7 +25,7 @@ struct SslConfig {
   int interp_rate = 4;
   std::vector<ScanConfig> scans{{2, -1}, {4, -1}};
   std::string weighting = "none";
-  float averaging = 80;  // ms
+  float averaging = 55;  // ms
   static Schema schema();
 };
 

@@ -95,14 +95,26 @@ void LagProducts(GridView<const float> re, GridView<const float> im, std::span<c
   }
 }
 
+/// For `kVectors` vectors of columns, the first of which begins at `x`.
+template <std::size_t kVectors>
+void MaxBlock(const float* HWY_RESTRICT x, std::size_t width, float* HWY_RESTRICT y) {
+  const Floats d;
+  const std::size_t lanes = hn::Lanes(d);
+  Vector best[kVectors];
+  for (std::size_t v = 0; v < kVectors; ++v) best[v] = hn::LoadU(d, x + v * lanes);
+  for (std::size_t k = 1; k < width; ++k) {
+    for (std::size_t v = 0; v < kVectors; ++v) best[v] = hn::Max(best[v], hn::LoadU(d, x + k + v * lanes));
+  }
+  for (std::size_t v = 0; v < kVectors; ++v) hn::StoreU(best[v], d, y + v * lanes);
+}
+
 void SlidingMax(const float* HWY_RESTRICT x, std::size_t first, std::size_t last, std::size_t delta,
                 float* HWY_RESTRICT y) {
-  const Floats d;
-  for (std::size_t n = first; n <= last; n += hn::Lanes(d)) {
-    auto best = hn::LoadU(d, x + n - delta);
-    for (std::size_t k = 1; k <= 2 * delta; ++k) best = hn::Max(best, hn::LoadU(d, x + n - delta + k));
-    hn::StoreU(best, d, y + n);
-  }
+  const std::size_t lanes = hn::Lanes(Floats());
+  const std::size_t width = 2 * delta + 1;
+  std::size_t n = first;
+  for (; n + 4 * lanes <= last + lanes; n += 4 * lanes) MaxBlock<4>(x + n - delta, width, y + n);
+  for (; n <= last; n += lanes) MaxBlock<1>(x + n - delta, width, y + n);
 }
 
 /// Sums for `kVectors` vectors of candidates: the sums stay in registers while the pairs go by.

@@ -24,23 +24,29 @@ float bin_hz(const GeneralConfig& general) {
 
 constexpr std::array<Pair, 1> kSelf{{{0, 0}}};  // a channel with itself: the pattern of a plane wave
 
+constexpr float kLeastEvidence = -6;
+// After a potential of so little evidence no more are searched: they would have less.
+constexpr float kNothing = -2;
+
+/// Of what was not searched.
+Potential none(Vec3 direction) noexcept { return {direction, 0, kLeastEvidence, {1, 1, 0}}; }
+
 /// Log-odds of potentials on talkers against the others: lines over ln E, from a logistic regression over the
-/// scenes of docs/localization.md. A single hop may be chance or a click; a talker fills seven hops of the
+/// scenes of docs/localization.md. A single hop may be chance or a click; a talker fills six hops of the
 /// average and more. Later potentials must stand out of what the first leaves over. Where one or a few talk,
 /// the first has at least half of all that passes the gate (`share`); of a crowd it has a fifth: then the
 /// onsets are as clear as a talker's, but come from everywhere.
 float evidence(float energy, float strongest, float share, float hops) noexcept {
-  constexpr float kLeast = -6;
   constexpr float kMost = 8;
   constexpr float kOfTalkers = 0.5F;
-  if (!(energy > 0)) return kLeast;
+  if (!(energy > 0)) return kLeastEvidence;
   const float crowd = std::min(std::log(std::max(share, 1e-3F) / kOfTalkers), 0.F);
   const float log_energy = std::log(energy);
-  const float persistence = 1.2F * std::log(std::max(hops, 1.F) / 7);
+  const float persistence = 1.2F * std::log(std::max(hops, 1.F) / 6);
   const float first = 11.3F + 1.36F * log_energy + persistence + 2.5F * crowd;
   const float later =
       8.0F + 0.65F * log_energy + 1.75F * std::log(energy / strongest) + persistence + 1.2F * crowd;
-  return std::clamp(energy < strongest ? std::min(first, later) : first, kLeast, kMost);
+  return std::clamp(energy < strongest ? std::min(first, later) : first, kLeastEvidence, kMost);
 }
 
 /// The sharper the peak, the surer the direction: kPhase over E's curvature where the onset is clear, more
@@ -107,6 +113,11 @@ void SrpClean::locate(GridView<const cfloat> spectra, GridView<const float> nois
     const auto fit = fit_.fit(rest_, heard, plan_.levels.back().directions[peak.point]);
     if (p == 0) strongest = fit.energy;
     potentials[p] = describe(fit, strongest);
+    if (potentials[p].evidence < kNothing) {
+      std::fill(potentials.begin() + static_cast<std::ptrdiff_t>(p) + 1, potentials.end(),
+                none(fit.direction));
+      break;
+    }
     if (p + 1 < potentials.size()) subtract(fit, heard);
   }
 }

@@ -68,6 +68,22 @@ TEST(SrpClean, Hears_two_plane_waves_one_after_the_other) {
   EXPECT_GT(found[1].evidence, 0);
 }
 
+TEST(SrpClean, Searches_no_further_where_nothing_is_left_to_be_found) {
+  const GeneralConfig general = test::tetrahedron(0.2F);
+  SrpClean localizer(general, {});
+  const auto found = onset(localizer, test::plane_wave(general, direction_of(30, 10)), 16);
+  std::size_t searched = 0;
+  while (searched < found.size() && found[searched].energy > 0) ++searched;
+  EXPECT_GE(searched, 1U);
+  EXPECT_LT(searched, 16U);
+  for (std::size_t p = searched; p < found.size(); ++p) {
+    EXPECT_EQ(found[p].energy, 0);
+    EXPECT_LT(found[p].evidence, -5);
+    EXPECT_GT(found[p].covariance.east, 0) << "its evidence is told";
+    EXPECT_NEAR(norm(found[p].direction), 1, 1e-5);
+  }
+}
+
 TEST(SrpClean, Averages_over_its_time_constant) {
   const GeneralConfig general = test::tetrahedron(0.15F);
   SslConfig ssl;

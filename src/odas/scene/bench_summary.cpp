@@ -97,6 +97,8 @@ std::vector<BenchFigure> accuracy_figures() {
       {"dup", "second tracks", 3, Middle::mean, [](const O& o) { return o.score.azimuth.tracks.duplicates; }},
       {"switches", "switches/min", 1, Middle::mean,
        [](const O& o) { return o.score.azimuth.tracks.switches_per_min; }},
+      {"switches_apart", "switches apart/min", 1, Middle::mean,
+       [](const O& o) { return o.score.azimuth.tracks.switches_apart_per_min; }},
       {"onset_s", "onset, s", 2, Middle::median, [](const O& o) { return o.score.azimuth.tracks.onset_s; }},
       {"pot_in15", "potential in 15, %", 1, Middle::mean,
        [](const O& o) { return in_percent(o.score.azimuth.potentials.hits); }},

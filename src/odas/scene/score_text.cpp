@@ -65,6 +65,7 @@ void put_places(ordered_json& out, const PlaceScore& place, const std::string& p
   out[prefix + "err"] = rounded(place.tracks.error_deg);
   out[prefix + "dup"] = rounded(place.tracks.duplicates);
   out[prefix + "switches"] = rounded(place.tracks.switches_per_min);
+  out[prefix + "switches_apart"] = rounded(place.tracks.switches_apart_per_min);
   out[prefix + "onset_s"] = rounded(place.tracks.onset_s);
 }
 
@@ -97,6 +98,8 @@ std::string score_table(const Score& score) {
   text += row("second tracks on a talker, per hop", a.tracks.duplicates, b.tracks.duplicates, 3);
   text +=
       row("changes of id, per minute and talker", a.tracks.switches_per_min, b.tracks.switches_per_min, 2);
+  text += row("the same while talkers are 20 deg apart", a.tracks.switches_apart_per_min,
+              b.tracks.switches_apart_per_min, 2);
   text += row("first word to first track, s (99: never)", a.tracks.onset_s, b.tracks.onset_s, 2);
   text += row("OSPA (cut off at 30), deg", a.ospa_deg, b.ospa_deg, 2);
   if (score.separated || score.postfiltered) text += voice_table(score);

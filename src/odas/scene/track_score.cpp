@@ -17,7 +17,8 @@ class Scorer {
       : scene_(scene),
         measure_(measure),
         followed_(scene.sources.size(), std::vector<HeardTrack>(scene.hops)),
-        ids_(scene.sources.size()) {}
+        ids_(scene.sources.size()),
+        ids_apart_(scene.sources.size()) {}
 
   void add(const HeardHop& heard) {
     const std::size_t sources = scene_.sources.size();
@@ -50,9 +51,8 @@ class Scorer {
     if (scene_.sources.empty()) return score;
     const auto sources = static_cast<double>(scene_.sources.size());
     score.duplicates = static_cast<double>(duplicates_) / static_cast<double>(scene_.hops);
-    std::size_t changes = 0;
-    for (const auto& ids : ids_) changes += ids.empty() ? 0 : ids.size() - 1;
-    score.switches_per_min = static_cast<double>(changes) / scene_.minutes() / sources;
+    score.switches_per_min = static_cast<double>(changes(ids_)) / scene_.minutes() / sources;
+    score.switches_apart_per_min = static_cast<double>(changes(ids_apart_)) / scene_.minutes() / sources;
     if (!errors_.empty()) {
       score.error_deg =
           std::accumulate(errors_.begin(), errors_.end(), 0.0) / static_cast<double>(errors_.size());
@@ -62,12 +62,32 @@ class Scorer {
   }
 
  private:
+  using Ids = std::vector<std::vector<std::uint64_t>>;  // [source]: in order, while it speaks
+
+  static void follow(std::vector<std::uint64_t>& ids, std::uint64_t id) {
+    if (ids.empty() || ids.back() != id) ids.push_back(id);
+  }
+  static std::size_t changes(const Ids& all) {
+    std::size_t sum = 0;
+    for (const auto& ids : all) sum += ids.empty() ? 0 : ids.size() - 1;
+    return sum;
+  }
+
+  [[nodiscard]] bool is_apart(std::size_t source, std::size_t hop) const {
+    for (std::size_t k = 0; k < scene_.sources.size(); ++k) {
+      const double apart =
+          distance_deg(measure_, scene_.sources[k].direction[hop], scene_.sources[source].direction[hop]);
+      if (k != source && apart < kApartDegrees) return false;
+    }
+    return true;
+  }
+
   void hit(std::size_t hop, const HeardTrack& track, std::size_t source, double distance) {
     followed_[source][hop] = track;
     if (scene_.sources[source].active[hop] == 0) return;
     errors_.push_back(distance);
-    auto& ids = ids_[source];
-    if (ids.empty() || ids.back() != track.id) ids.push_back(track.id);
+    follow(ids_[source], track.id);
+    if (is_apart(source, hop)) follow(ids_apart_[source], track.id);
   }
 
   void add_times(TrackScore& score) const {
@@ -95,7 +115,7 @@ class Scorer {
   const KnownScene& scene_;
   Measure measure_;
   std::vector<std::vector<HeardTrack>> followed_;
-  std::vector<std::vector<std::uint64_t>> ids_;  // [source]: in order, while it speaks
+  Ids ids_, ids_apart_;
   std::vector<double> errors_;
   std::size_t duplicates_ = 0;
   std::size_t false_ = 0;

@@ -12,6 +12,9 @@ namespace odas {
 /// A track counts for a source when it is nearer than this, in degrees.
 inline constexpr double kHitDegrees = 15;
 
+/// Talkers nearer than this to each other, in degrees, cannot be told apart by where they are.
+inline constexpr double kApartDegrees = 20;
+
 /// An onset that never comes counts as this many seconds.
 inline constexpr double kNeverSeconds = 99;
 
@@ -22,7 +25,10 @@ struct TrackScore {
   double false_s_per_min = 0;              // track seconds away from every source, speaking or silent
   std::optional<double> duplicates;        // tracks per hop on a source that another track follows
   std::optional<double> switches_per_min;  // changes of the id on a source, per source
-  std::optional<double> onset_s;           // from the first word to the first hit; median over the sources
+  /// The same without the hops in which another source is nearer than kApartDegrees: who has another id after
+  /// a crossing counts once, and who passes under whose id does not.
+  std::optional<double> switches_apart_per_min;
+  std::optional<double> onset_s;  // from the first word to the first hit; median over the sources
 
   /// [source][hop]: its track, whether it speaks or not; id 0: none
   std::vector<std::vector<HeardTrack>> followed;

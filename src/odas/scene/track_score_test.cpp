@@ -68,6 +68,28 @@ TEST(TrackScore, agrees_with_figures_computed_by_hand) {
   EXPECT_EQ(score.followed[1][450].slot, 2U);
 }
 
+TEST(TrackScore, tells_who_changed_ids_in_a_crossing_from_whose_pairs_were_undecided_in_it) {
+  // Source 0 walks past source 1, which stands at 90 degrees, from 45 to 135.
+  auto scene = two_talkers();
+  for (std::size_t h = 0; h < kHops; ++h) {
+    scene.sources[0].direction[h] = at(45 + 90 * static_cast<double>(h) / kHops);
+    scene.sources[0].active[h] = scene.sources[1].active[h] = 1;
+  }
+  const auto crossing = [&](bool swapped) {
+    auto heard = heard_of({});
+    for (std::size_t h = 0; h < kHops; ++h) {
+      const bool passing = h > 330 && h < 370;
+      const bool others = h >= 370 ? swapped : passing;  // for a moment each is nearer to the other's
+      heard[h].tracks.push_back({0, others ? 2U : 1U, scene.sources[0].direction[h]});
+      heard[h].tracks.push_back({1, others ? 1U : 2U, scene.sources[1].direction[h]});
+    }
+    return score_tracks(scene, heard, Measure::azimuth);
+  };
+  EXPECT_NEAR(*crossing(false).switches_per_min, 2 / 0.1, 1e-9);
+  EXPECT_EQ(*crossing(false).switches_apart_per_min, 0);
+  EXPECT_NEAR(*crossing(true).switches_apart_per_min, 1 / 0.1, 1e-9);
+}
+
 TEST(TrackScore, tells_elevation_only_by_angle) {
   const auto heard = heard_of({{1, 0, 0, kHops, at(0, 30)}});
   EXPECT_NEAR(*score_tracks(two_talkers(), heard, Measure::azimuth).recall, 200 / 700.0, 1e-12);

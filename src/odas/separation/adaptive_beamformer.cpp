@@ -34,8 +34,8 @@ constexpr float kFloorStep = 0.1F;
 constexpr float kFloorRise = 1.004F;
 // The least of a smoothed power lies under its mean by about this factor.
 constexpr float kFloorBias = 2;
-// Loading grows and shrinks by this per hop, and no further than that.
-constexpr float kLoadStep = 1.05F;
+// Loading grows and shrinks by this each time, and no further than that.
+constexpr float kLoadStep = 1.1F;
 constexpr float kMostLoading = 1e3F;
 // The power that silence counts as, with samples of full scale 1: under one 24-bit step in a frame.
 constexpr float kSilence = 1e-12F;
@@ -76,7 +76,9 @@ AdaptiveBeamformer::AdaptiveBeamformer(Criterion criterion, const AdaptiveConfig
       config_(config),
       mics_(general.mics.size()),
       bins_(static_cast<std::size_t>(general.size.frame_size) / 2 + 1),
-      hop_seconds_(static_cast<float>(general.size.hop_size) / static_cast<float>(general.samplerate.mu)),
+      every_(4 * general.size.hop_size <= general.size.frame_size ? 2 : 1),
+      seconds_(static_cast<float>(every_) * static_cast<float>(general.size.hop_size) /
+               static_cast<float>(general.samplerate.mu)),
       share_step_(step_of(config.memory)),
       least_(std::pow(10.F, config.white_noise_gain / 10)),
       steering_(general),
@@ -101,7 +103,8 @@ AdaptiveBeamformer::AdaptiveBeamformer(Criterion criterion, const AdaptiveConfig
   for (Slot& slot : slots_) {
     slot.steering = slot.column = slot.solved = x_;
     slot.factor = masks_.diffuse_factor();
-    slot.response = slot.talker = slot.level = slot.share = slot.loading = slot.wng = power_;
+    slot.response = slot.talker = slot.level = slot.share = slot.loading = slot.wng = slot.gain = slot.pass =
+        power_;
     slot.weights = Grid<cfloat>(mics_, bins_);
   }
 }
@@ -126,7 +129,7 @@ void AdaptiveBeamformer::separate(GridView<const cfloat> spectra, std::span<cons
   }
   masks_.update(x_, powers_, floor_);
   for (std::size_t s = 0; s < slots_.size(); ++s) {
-    if (slots_[s].heard) learn(s);
+    if (slots_[s].heard && (hop_ + s) % every_ == 0) learn(s);
   }
   for (std::size_t s = 0; s < slots_.size(); ++s) {
     form(s, beams[s]);
@@ -140,10 +143,8 @@ float AdaptiveBeamformer::memory() const noexcept {
   return std::clamp(stillness_.seconds(), std::min(kWalkingMemory, config_.memory), config_.memory);
 }
 
-/// Weight of the new value per hop.
-float AdaptiveBeamformer::step_of(float seconds) const noexcept {
-  return 1 - std::exp(-hop_seconds_ / seconds);
-}
+/// Weight of the new value.
+float AdaptiveBeamformer::step_of(float memory) const noexcept { return 1 - std::exp(-seconds_ / memory); }
 
 void AdaptiveBeamformer::hear(GridView<const cfloat> spectra) noexcept {
   power_.fill(0);
@@ -162,9 +163,9 @@ void AdaptiveBeamformer::hear(GridView<const cfloat> spectra) noexcept {
     smooth_[k] += (smooth_[k] > 0 ? kFloorStep : 1.F) * (power_[k] - smooth_[k]);
     floor_[k] = floor_[k] > 0 ? std::min(smooth_[k], floor_[k] * kFloorRise) : smooth_[k];
   }
-  for (std::size_t m = 0; m < mics_; ++m) {
-    const cfloat* x = spectra[m].data();
-    for (std::size_t k = 0; k < bins_; ++k) x_.set(m, k, finite_[k] > 0 ? x[k] : cfloat{});
+  for (std::size_t m = 0; m < mics_; ++m) { x_.set_row(m, spectra[m]); }
+  for (std::size_t k = 0; k < bins_; ++k) {
+    for (std::size_t m = 0; finite_[k] == 0 && m < mics_; ++m) x_.set(m, k, {});
   }
 }
 
@@ -302,9 +303,9 @@ void AdaptiveBeamformer::learn(std::size_t s) noexcept {
   solve(slot);
 }
 
-/// One column a hop, in turn.
+/// One column each time, in turn.
 void AdaptiveBeamformer::add_known_noise(Slot& slot) noexcept {
-  const GridView<const cfloat> column = known_->column(hop_ % mics_);
+  const GridView<const cfloat> column = known_->column(hop_ / every_ % mics_);
   for (std::size_t k = 0; k < bins_; ++k) gain_[k] = std::sqrt(static_cast<float>(mics_) * (1 - keep_[k]));
   for (std::size_t m = 0; m < mics_; ++m) {
     for (std::size_t k = 0; k < bins_; ++k) v_.set(m, k, gain_[k] * column[m][k]);
@@ -313,7 +314,7 @@ void AdaptiveBeamformer::add_known_noise(Slot& slot) noexcept {
   factor_update(slot.factor, gain_, v_);
 }
 
-/// One microphone a hop, in turn: the diagonal as a whole would cost as much as all the rest.
+/// One microphone each time, in turn: the diagonal as a whole would cost as much as all the rest.
 void AdaptiveBeamformer::load(Slot& slot) noexcept {
   const auto mics = static_cast<float>(mics_);
   for (std::size_t k = 0; k < bins_; ++k) {
@@ -323,7 +324,7 @@ void AdaptiveBeamformer::load(Slot& slot) noexcept {
         config_.loading * slot.loading[k] * slot.level[k] + config_.unexplained * slot.talker[k];
     norm_[k] = std::sqrt(mics * (1 - keep_[k]) * power + kSilence * kSilence);
   }
-  factor_load(slot.factor, norm_, hop_ % mics_, v_);
+  factor_load(slot.factor, norm_, hop_ / every_ % mics_, v_);
 }
 
 void AdaptiveBeamformer::solve(Slot& slot) noexcept {
@@ -349,7 +350,6 @@ void AdaptiveBeamformer::form(std::size_t s, std::span<cfloat> beam) noexcept {
   Slot& slot = slots_[s];
   if (!slot.heard) {
     std::fill(beam.begin(), beam.end(), cfloat{});
-    slot.weights.fill({});
     return;
   }
   for (std::size_t k = 0; k < bins_; ++k) keep_[k] = kFloorBias * floor_[k] + kTinyPower;
@@ -370,15 +370,10 @@ void AdaptiveBeamformer::form(std::size_t s, std::span<cfloat> beam) noexcept {
   for (std::size_t k = 0; k < bins_; ++k) {
     const float rho = slot.talker[k] / keep_[k];
     const float beta = rho / (rho + config_.harm);
-    keep_[k] = beta;
-    gain_[k] *= 1 - beta;
-    beam[k] = gain_[k] * row_.get(0, k) + beta * x_.get(slot.reference, k);
+    slot.gain[k] = gain_[k] * (1 - beta);
+    slot.pass[k] = beta;
+    beam[k] = slot.gain[k] * row_.get(0, k) + beta * x_.get(slot.reference, k);
   }
-  for (std::size_t m = 0; m < mics_; ++m) {
-    const std::span<cfloat> w = slot.weights[m];
-    for (std::size_t k = 0; k < bins_; ++k) w[k] = gain_[k] * std::conj(slot.solved.get(m, k));
-  }
-  for (std::size_t k = 0; k < bins_; ++k) slot.weights[slot.reference][k] += keep_[k];
 }
 
 void AdaptiveBeamformer::measure(std::size_t s, std::span<const cfloat> beam) noexcept {
@@ -416,7 +411,17 @@ BeamReport AdaptiveBeamformer::report(std::size_t slot) const noexcept {
 }
 
 GridView<const cfloat> AdaptiveBeamformer::weights(std::size_t slot) const noexcept {
-  return slots_[slot].weights;
+  const Slot& s = slots_[slot];
+  if (!s.heard) {
+    s.weights.fill({});
+    return s.weights;
+  }
+  for (std::size_t m = 0; m < mics_; ++m) {
+    const std::span<cfloat> w = s.weights[m];
+    for (std::size_t k = 0; k < bins_; ++k) w[k] = s.gain[k] * std::conj(s.solved.get(m, k));
+  }
+  for (std::size_t k = 0; k < bins_; ++k) s.weights[s.reference][k] += s.pass[k];
+  return s.weights;
 }
 
 /// What all slots share goes with the last voice: whoever comes next begins as new.
@@ -434,7 +439,6 @@ void AdaptiveBeamformer::reset() noexcept {
   for (std::size_t s = 0; s < slots_.size(); ++s) {
     slots_[s].id = 0;
     slots_[s].heard = false;
-    slots_[s].weights.fill({});
     powers_[s].fill(0);
   }
 }

@@ -17,7 +17,8 @@ namespace odas {
 /// Minimum variance distortionless response (`dmvdr`) and generalized eigenvalue (`dgev`) beamformers that
 /// learn from masks, with no training and no knowledge but the directions of the tracks.
 ///
-/// Method, per slot and bin, in each hop first learning and then forming the beam:
+/// Method, per slot and bin, in each hop first learning and then forming the beam (where frames overlap by
+/// three quarters and more a slot learns in every second hop, which tells as much):
 ///   masks g of x (TalkerMasks), with the powers of the beams of the last weights;
 ///   c <- c + a g (x conj(x_ref) - c),  R <- R + a (1 - g) (x x^H - R) + loading,
 ///   n = R^-1 c,  h = c / c_ref: the measured transfer function relative to the reference microphone;
@@ -27,12 +28,12 @@ namespace odas {
 ///   of the power of all else, and one of the talker's own, whose sound is never all explained; more of it
 ///   where the white noise gain falls under `whiteNoiseGain`. c begins with the direction and turns with it;
 ///   R begins as diffuse sound of the present level. Where the machine's own noise is known (use_noise), R
-///   begins as this noise, and takes a column of its factor in each hop, as if the noise went on behind all
+///   begins as this noise, and takes a column of its factor each time, as if the noise went on behind all
 ///   that is heard: R <- R + M a (1 - g) f_j f_j^H.
 ///   a: forgets within `memory` where all stand still, sooner from when somebody walks (Stillness).
 /// Symbols: ref: the microphone that hears the direction best; share: mean of g; rho: power of the talker
-///   over that of the other talkers and of the noise floor; M: microphones; f_j: column j of NoiseField, j
-///   the hop mod M.
+///   over that of the other talkers and of the noise floor; M: microphones; f_j: column j of NoiseField, all
+///   in turn.
 /// Source: Souden, Benesty and Affes, "On optimal frequency-domain multichannel linear filtering for noise
 ///   reduction", 2010; Warsitz and Haeb-Umbach, "Blind acoustic beamforming based on generalized eigenvalue
 ///   decomposition", 2007 (the target being of rank one, its eigenvector is R^-1 c). Departs: only one
@@ -64,22 +65,23 @@ class AdaptiveBeamformer : public Beamformer {
     bool heard = false;    // at least one microphone hears the direction
     Vec3 direction;        // of `steering`
     std::size_t reference = 0;
-    BinBlocks steering;           // d [mic]
-    BinBlocks column;             // c [mic]
-    BinBlocks factor;             // L of R
-    BinBlocks solved;             // n [mic]
-    BinReals response;            // h^H n
-    BinReals talker;              // c_ref: mean power of the talker where he is heard
-    BinReals level;               // mean power of all else
-    BinReals share;               // mean of g
-    BinReals loading;             // times `loading` of the configuration, 1 at least
-    BinReals wng;                 // white noise gain
-    float signal = 0, noise = 0;  // of the beam, smoothed
-    Grid<cfloat> weights;         // [mic][bin]
+    BinBlocks steering;            // d [mic]
+    BinBlocks column;              // c [mic]
+    BinBlocks factor;              // L of R
+    BinBlocks solved;              // n [mic]
+    BinReals response;             // h^H n
+    BinReals talker;               // c_ref: mean power of the talker where he is heard
+    BinReals level;                // mean power of all else
+    BinReals share;                // mean of g
+    BinReals loading;              // times `loading` of the configuration, 1 at least
+    BinReals wng;                  // white noise gain
+    BinReals gain, pass;           // of the beam: b n^H x and x_ref, as they are added
+    float signal = 0, noise = 0;   // of the beam, smoothed
+    mutable Grid<cfloat> weights;  // [mic][bin]: of the last beam, made for who asks
   };
 
   [[nodiscard]] float memory() const noexcept;
-  [[nodiscard]] float step_of(float seconds) const noexcept;
+  [[nodiscard]] float step_of(float memory) const noexcept;
   void forget_room() noexcept;
   void hear(GridView<const cfloat> spectra) noexcept;
   void follow(std::size_t s, const Track& track) noexcept;
@@ -99,10 +101,11 @@ class AdaptiveBeamformer : public Beamformer {
   Criterion criterion_;
   AdaptiveConfig config_;
   std::size_t mics_, bins_;
-  float hop_seconds_;
-  float step_ = 1;    // a, in this hop
-  float share_step_;  // the same of the share, which nobody's walking changes
-  float least_;       // the smallest white noise gain, as a ratio
+  std::size_t every_;  // hops: so often a slot learns
+  float seconds_;      // as long as that
+  float share_step_;   // a of the share, which nobody's walking changes
+  float step_ = 1;     // a of all else
+  float least_;        // the smallest white noise gain, as a ratio
   Steering steering_;
   TalkerMasks masks_;
   Stillness stillness_;

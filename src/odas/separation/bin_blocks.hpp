@@ -48,7 +48,16 @@ class BinBlocks {
     p[kBlockBins] = value.imag();
   }
   void set_row(std::size_t row, std::span<const cfloat> values) noexcept {
-    for (std::size_t k = 0; k < values.size(); ++k) set(row, k, values[k]);
+    const std::size_t whole = values.size() / kBlockBins;
+    for (std::size_t b = 0; b < whole; ++b) {
+      float* p = at(b, row);
+      const cfloat* z = values.data() + b * kBlockBins;
+      for (std::size_t i = 0; i < kBlockBins; ++i) {
+        p[i] = z[i].real();
+        p[i + kBlockBins] = z[i].imag();
+      }
+    }
+    for (std::size_t k = whole * kBlockBins; k < values.size(); ++k) set(row, k, values[k]);
   }
 
   void fill(float value) noexcept { std::fill(values_.begin(), values_.end(), value); }

@@ -42,8 +42,8 @@ struct AdaptiveConfig {
   float memory = 3;           // s
   float loading = 0.003F;     // of the power of all else
   float unexplained = 0.02F;  // of the talker's
-  float tradeoff = 2;
-  float harm = 8;
+  float tradeoff = 2.5F;
+  float harm = 5;
   float white_noise_gain = -15;  // dB
   static Schema schema();
 };

@@ -12,13 +12,13 @@ namespace odas {
 namespace {
 
 // Talkers and rooms, by docs/tracking.md.
-constexpr double kIndependent = 0.048;                     // s between two observations that tell anew
+constexpr double kIndependent = 0.064;                     // s between two observations that tell anew
 constexpr double kFound = 0.8;                             // a source that sounds is among the potentials
 constexpr double kNew = 0.05;                              // prior of a new source, to that of none
 constexpr double kFallsSilent = 0.5, kSpeaks = 0.5;        // s, means: until a voice pauses, and is back
 constexpr double kOpens = 0.3;                             // evidence of a potential that opens a candidate
-constexpr double kConfirmed = 3, kLed = 2;                 // nats: all evidence, and of hops that it led
-constexpr double kConfirmedUnled = 6;                      // all evidence of who did not lead
+constexpr double kConfirmed = 1.5, kLed = 1.5;             // nats: all evidence, and of hops that it led
+constexpr double kConfirmedUnled = 4;                      // all evidence of who did not lead
 constexpr double kConfirmedBeside = 9.5, kLedBeside = 8;   // of who is beside a track
 constexpr double kBehind = 1.2;                            // nats; louder by less is not louder
 constexpr double kGivenUp = -1.2;                          // of a candidate
@@ -29,13 +29,16 @@ constexpr double kEarned = 0.03, kEarnedAlone = 0.1;       // s more for each na
 constexpr double kAlone = 45 * std::numbers::pi / 180;     // of azimuth: no other track is as near
 constexpr double kSamePlace = 8 * std::numbers::pi / 180;  // of azimuth: nearer than two people stand
 constexpr double kBeside = 25 * std::numbers::pi / 180;    // of azimuth: where a talker's reflections are
-constexpr double kMine = 4;  // as much likelier than another's an observation is when it moves a track
+constexpr double kMine = 2;  // as much likelier than another's an observation is when it moves a track
 constexpr double kEchoes = 40 * std::numbers::pi / 180;  // of elevation, floor and ceiling from their talker
 constexpr double kGoesOn = 1;                            // s of silence in which who walks walks on
-constexpr double kPause = 0.2, kPace = 20 * std::numbers::pi / 180;  // s, rad/s of somebody who walks by
+constexpr double kPause = 0.1, kPace = 30 * std::numbers::pi / 180;  // s, rad/s of somebody who walks by
 constexpr double kLess = 0.5, kLessNear = 1.5, kLessOld = 0.6;
+// Speech swells and fades: the deviation of ln E over two seconds is 1, of a fan or a motor 0.45.
+constexpr double kLoudness = 2;   // s
+constexpr double kSteady = 0.55;  // deviation; less of it does not speak
 constexpr float kBesideCosine = 0.87F;
-constexpr float kBlur2East = 0.0016F, kBlur2North = 0.008F;
+constexpr float kBlur2East = 0.002F, kBlur2North = 0.008F;
 constexpr double kSoon = 1, kOverlap = 0.3, kLongOverlap = 3;  // s
 
 /// Nearer than two people stand. Where elevation is worse heard than azimuth, what floor and ceiling send
@@ -150,6 +153,8 @@ void BernoulliTracker::take(std::span<const Potential> potentials) noexcept {
       const auto energy = static_cast<double>(potential.energy);
       evidence = active_.log_density(energy) - inactive_.log_density(energy);
       heard.covariance = {config_.sigma_r2_active, config_.sigma_r2_active, 0};
+    } else if (potential.energy > 0) {
+      heard.loudness = std::log(static_cast<double>(potential.energy));
     }
     if (!std::isfinite(evidence)) continue;
     constexpr double kSurest = 12;
@@ -242,12 +247,17 @@ void BernoulliTracker::follow(Source& source, std::span<const Link> links) noexc
     // finds one direction, between them. They keep their ways until it can only be the one's.
     double sure = std::max(link.share - std::max(taken, 0.0), 0.0);
     if (!is_candidate) sure *= std::clamp(1 + kMine * (1 - heard.seen_fit / link.fit.density), 0.0, 1.0);
-    source.walker.observe(link.offset, heard.covariance, own_share_ * sure * link.fit.clean * heard.pull);
+    // Of its height an observation tells as much as is usual here. By its own covariance the high ones would
+    // count most, for near the plane of a flat array peaks are widest.
+    TangentCovariance covariance = heard.covariance;
+    covariance.north = source.blur.north;
+    source.walker.observe(link.offset, covariance, own_share_ * sure * link.fit.clean * heard.pull);
     source.blur.east += 0.05F * static_cast<float>(link.share) * (heard.covariance.east - source.blur.east);
     source.blur.north +=
         0.05F * static_cast<float>(link.share) * (heard.covariance.north - source.blur.north);
   }
   if (source.stage != Stage::target) source.walker.settle();
+  listen(source, links);
   source.activity = 1 - silent;
   const double before = is_candidate ? 1 : source.sounding;
   const double gain = own_share_ * std::log(1 - before + before * is_there);
@@ -257,6 +267,25 @@ void BernoulliTracker::follow(Source& source, std::span<const Link> links) noexc
   source.sounding = std::clamp(sigmoid(odds + own_share_ * std::log(sounds)), 1e-3, 1 - 1e-3);
   source.silent_hops = source.sounding > 0.5 ? 0 : source.silent_hops + 1;
   ++source.age;
+}
+
+/// How much its loudness varies while it is heard.
+void BernoulliTracker::listen(Source& source, std::span<const Link> links) const noexcept {
+  constexpr double kOwn = 0.5;
+  for (std::size_t s = 0; s < links.size(); ++s) {
+    if (links[s].share < kOwn || heard_[s].loudness == 0) continue;
+    source.heard_s = std::min(source.heard_s + dt_, kLoudness);
+    const double step = dt_ / source.heard_s;
+    const double change = heard_[s].loudness - source.loudness;
+    source.loudness += step * change;
+    source.loudness_variance += step * ((1 - step) * change * change - source.loudness_variance);
+    break;
+  }
+}
+
+/// What sounds for long and hardly swells is a machine.
+bool BernoulliTracker::is_steady(const Source& source) noexcept {
+  return source.heard_s >= kLoudness && source.loudness_variance < kSteady * kSteady;
 }
 
 /// Of two in one place the younger goes: at once if it is not seen yet, else when it has stayed too long for
@@ -281,9 +310,9 @@ void BernoulliTracker::merge() noexcept {
   }
 }
 
-bool BernoulliTracker::has_neighbour(const Source& source, double azimuth) const noexcept {
+bool BernoulliTracker::has_neighbour(const Source& source, double azimuth, const Source* but) const noexcept {
   return std::any_of(slots_.begin(), slots_.end(), [&](const Source& other) {
-    return &other != &source && other.stage != Stage::free &&
+    return &other != &source && &other != but && other.stage != Stage::free &&
            azimuth_between(other.walker.direction(), source.walker.direction()) < azimuth;
   });
 }
@@ -297,6 +326,11 @@ void BernoulliTracker::bury() noexcept {
   for (std::size_t t = 0; t < slots_.size(); ++t) {
     Source& source = slots_[t];
     if (source.stage != Stage::seen) continue;
+    if (is_steady(source)) {
+      departed_.add(source.id, source.walker.direction(), t);
+      hide(source);
+      continue;
+    }
     // Near another it may be what is left of one that the other follows now.
     const bool alone = !has_neighbour(source, kAlone);
     const double earned =
@@ -308,12 +342,26 @@ void BernoulliTracker::bury() noexcept {
   }
 }
 
+/// Goes on as a candidate, so that it is known where it sounds.
+void BernoulliTracker::hide(Source& source) noexcept {
+  const auto place = std::find_if(candidates_.begin(), candidates_.end(),
+                                  [](const Source& s) { return s.stage == Stage::free; });
+  if (place != candidates_.end()) {
+    *place = source;
+    place->stage = Stage::candidate;
+    place->id = 0;
+    place->tag = {};
+  }
+  clear(source);
+}
+
 /// A reflection is seldom louder than its talker, never for long, and mostly beside him: who has not led the
-/// hops needs twice the evidence, and beside a track it takes more of both.
+/// hops needs more evidence, and beside a track it takes more of both; but who walked on is not beside
+/// himself.
 void BernoulliTracker::confirm() noexcept {
   for (Source& candidate : candidates_) {
-    if (candidate.stage == Stage::free) continue;
-    const bool beside = has_neighbour(candidate, kBeside);
+    if (candidate.stage == Stage::free || is_steady(candidate)) continue;
+    const bool beside = has_neighbour(candidate, kBeside, walked_on(candidate));
     const bool led = candidate.strength >= (beside ? kLedBeside : kLed);
     const bool is_there = beside ? led && candidate.evidence >= kConfirmedBeside
                                  : candidate.evidence >= (led ? kConfirmed : kConfirmedUnled);
@@ -321,11 +369,13 @@ void BernoulliTracker::confirm() noexcept {
   }
 }
 
-/// Somebody who fell silent as they walked, and may be here by now.
+/// Somebody who fell silent as they walked, this way, and may be here by now.
 BernoulliTracker::Source* BernoulliTracker::walked_on(const Source& candidate) noexcept {
   const auto is_it = [&](const Source& source) {
     const double silence = source.silent_hops * dt_;
+    const double ahead = source.walker.offset_of(candidate.walker.direction()).east;
     return source.stage == Stage::seen && silence >= kPause && source.walker.walking() > 0.5 &&
+           ahead * source.walker.turning() > 0 &&
            azimuth_between(source.walker.direction(), candidate.walker.direction()) <
                std::min(kSamePlace + kPace * silence, kBeside);
   };

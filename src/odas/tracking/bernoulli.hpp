@@ -23,7 +23,8 @@ namespace odas {
 /// test): a clear voice is confirmed within a few hops, a faint one in noise when enough has come together,
 /// and chance runs out before. Hops in which nothing elsewhere is louder, which reflections hardly have, tell
 /// most. Candidates are not seen and take no slot. A track dies after a silence, the
-/// sooner the less evidence there ever was for it; of two that stay one on the other the younger goes.
+/// sooner the less evidence there ever was for it; of two that stay one on the other the younger goes. What
+/// has sounded for two seconds and hardly swells is a machine: it is followed on, but as a candidate.
 /// Symbols: evidence and covariance of `Potential`; where a localizer does not tell them, ln A(E) / I(E) of
 /// the mixtures `sst.active` and `sst.inactive`, and `sst.sigmaR2_active`. Keys that count: nTracks,
 /// N_inactive (longest patience), add, memory, target. Source: Reuter, Vo, Vo and Dietmayer, 2014 (LMB);
@@ -55,14 +56,17 @@ class BernoulliTracker final : public Tracker {
     double evidence = 0;       // that it is there; natural logarithm
     double strength = 0;       // evidence of all hops in which nothing else was louder
     TangentCovariance blur{};  // of its observations, of late
-    int age = 0;               // hops
+    // Of ln E of its observations, as long as it was heard, over kLoudness at most.
+    double heard_s = 0, loudness = 0, loudness_variance = 0;
+    int age = 0;  // hops
     int silent_hops = 0;
     int covered_hops = 0;  // in which an older one stood in the same place
   };
   struct Heard {
     Vec3 direction{};
     TangentCovariance covariance{};
-    double ratio = 1;  // exp(evidence)
+    double loudness = 0;  // ln E; 0: not told
+    double ratio = 1;     // exp(evidence)
     double new_ratio = 1, old_ratio = 1, pull = 1;
     bool leads = false;   // nothing elsewhere is louder
     double seen_fit = 0;  // density of sources that are seen, whether they sound or not
@@ -84,10 +88,14 @@ class BernoulliTracker final : public Tracker {
   void follow_targets() noexcept;
   void associate() noexcept;
   void follow(Source& source, std::span<const Link> links) noexcept;
+  void listen(Source& source, std::span<const Link> links) const noexcept;
+  [[nodiscard]] static bool is_steady(const Source& source) noexcept;
   void merge() noexcept;
   /// Among the tracks, nearer than `azimuth` (rad).
-  [[nodiscard]] bool has_neighbour(const Source& source, double azimuth) const noexcept;
+  [[nodiscard]] bool has_neighbour(const Source& source, double azimuth,
+                                   const Source* but = nullptr) const noexcept;
   void bury() noexcept;
+  void hide(Source& source) noexcept;
   void confirm() noexcept;
   [[nodiscard]] Source* walked_on(const Source& candidate) noexcept;
   void show(Source& candidate) noexcept;

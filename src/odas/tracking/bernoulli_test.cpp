@@ -143,7 +143,7 @@ TEST(Bernoulli, knows_who_walked_on_in_a_pause_faster_than_before) {
   const std::uint64_t id = run.id_at(-24);
   ASSERT_NE(id, 0U);
   run.hops(75, {});
-  run.hops(60, {{0, 20, 5}});
+  run.hops(8, {{0, 20, 5}});  // as soon as anybody, though his track is beside
   EXPECT_EQ(run.id_at(0), id);
   EXPECT_EQ(run.living(), 1);
 }
@@ -155,6 +155,36 @@ TEST(Bernoulli, tells_that_azimuth_is_surer_than_elevation) {
   const auto covariance = run.tracks[0].covariance;
   EXPECT_GT(covariance.east, 0);
   EXPECT_GT(covariance.north, 2 * covariance.east);
+}
+
+/// A track after 4 s of a sound whose ln E has this deviation, over a tenth of a second each time.
+std::ptrdiff_t living_after(float deviation) {
+  Heard run;
+  std::normal_distribution<float> swell(0, deviation);
+  float loudness = 0;
+  for (int h = 0; h < 500; ++h) {
+    if (h % 12 == 0) loudness = swell(run.random);
+    const Potential potential{direction_of(30, 20), 0.004F * std::exp(loudness), 4, {0.0012F, 0.02F, 0}};
+    run.tracker->update(std::vector<Potential>{potential}, run.tracks);
+    if (h == 200) { EXPECT_EQ(run.living(), 1); }
+  }
+  return run.living();
+}
+
+TEST(Bernoulli, follows_who_swells_and_fades_and_after_two_seconds_no_more_what_does_not) {
+  EXPECT_EQ(living_after(1), 1);
+  EXPECT_EQ(living_after(0.3F), 0);
+}
+
+TEST(Bernoulli, takes_the_middle_of_heights_of_which_the_high_ones_look_surer) {
+  Heard run;
+  for (int h = 0; h < 600; ++h) {
+    const bool high = h / 6 % 2 == 0;
+    const Vec3 u = direction_of(30, high ? 35 : 5);
+    run.tracker->update(std::vector<Potential>{{u, 0, 5, {0.0012F, high ? 0.005F : 0.08F, 0}}}, run.tracks);
+  }
+  ASSERT_EQ(run.living(), 1);
+  EXPECT_NEAR(elevation_deg(run.tracks[0].direction), 20, 4);
 }
 
 }  // namespace
