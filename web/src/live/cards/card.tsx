@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { Swatch } from "./swatch";
 import { number } from "../../i18n/i18n";
+import { clock } from "../../lib/bytes";
 import { Icon } from "../../shell/icons";
 import { angle } from "../../shell/units";
 import type { Beam } from "../../store/store";
@@ -15,8 +16,7 @@ import type { Voice } from "../voices";
 const kFloor = -60;
 
 function ago(seconds: number): string {
-  if (seconds < 60) return `${number(Math.floor(seconds))} s`;
-  return `${number(Math.floor(seconds / 60))}:${String(Math.floor(seconds % 60)).padStart(2, "0")}`;
+  return seconds < 60 ? `${number(Math.floor(seconds))} s` : clock(seconds);
 }
 
 export function Card({ voice }: { voice: Voice }) {

@@ -35,8 +35,8 @@ export class SphereScene implements Stage {
   private width = 1;
   private height = 1;
 
-  constructor(canvas: HTMLCanvasElement, onMove: () => void) {
-    this.renderer = new three.WebGLRenderer({ canvas, antialias: true, powerPreference: "low-power" });
+  constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext, onMove: () => void) {
+    this.renderer = new three.WebGLRenderer({ canvas, context });
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enablePan = false;
@@ -67,6 +67,11 @@ export class SphereScene implements Stage {
     this.scene.add(...parts);
     this.look("iso");
     this.recolor();
+  }
+
+  /** Resolves when the shaders are ready; the page goes on meanwhile, which it would not at the first drawing. */
+  async compiled(): Promise<void> {
+    await this.renderer.compileAsync(this.scene, this.camera);
   }
 
   resize(width: number, height: number, ratio: number): void {
