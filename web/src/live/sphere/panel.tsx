@@ -26,12 +26,13 @@ const kViews: Preset[] = ["front", "top", "side", "iso"];
 /** Milliseconds that the sphere waits for a first hop. */
 const kPatience = 1000;
 
-/** Making the sphere keeps a slow computer busy for a moment: whoever is there is seen before. */
+/** Making the sphere keeps a slow computer busy for a moment: whoever is there is seen before. At once where nothing runs. */
 function firstHopShown(store: Store): Promise<void> {
   return new Promise((resolve) => {
     const timer = setTimeout(resolve, kPatience);
     const stop = effect(() => {
-      if (store.beat.value === 0 || store.ring.end === 0) return;
+      const idle = store.link.value === "still" || store.link.value === "offline";
+      if (!idle && (store.beat.value === 0 || store.ring.end === 0)) return;
       clearTimeout(timer);
       queueMicrotask(() => stop());
       requestAnimationFrame(() => setTimeout(resolve));

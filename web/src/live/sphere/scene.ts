@@ -80,8 +80,9 @@ export class SphereScene implements Stage {
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / Math.max(1, height);
-    // Upright boxes are fitted by their width.
-    this.camera.fov = this.camera.aspect >= 1 ? 30 : 2 * (180 / Math.PI) * Math.atan(Math.tan((15 * Math.PI) / 180) / this.camera.aspect);
+    // Upright boxes are fitted by their width, with room for the words at both sides.
+    const share = Math.min(1, this.camera.aspect / 1.2);
+    this.camera.fov = 2 * (180 / Math.PI) * Math.atan(Math.tan((15 * Math.PI) / 180) / share);
     this.camera.updateProjectionMatrix();
   }
 
