@@ -13,6 +13,8 @@
 namespace odas {
 namespace {
 
+// What is learned while somebody walks is forgotten within this time, s.
+constexpr float kWalkingMemory = 0.4F;
 // A new voice begins as if it had been seen along its direction for this share of a memory.
 constexpr float kPrior = 0.02F;
 // and as if it spoke half of the time: a voice that begins must not begin in the dark.
@@ -74,11 +76,12 @@ AdaptiveBeamformer::AdaptiveBeamformer(Criterion criterion, const AdaptiveConfig
       config_(config),
       mics_(general.mics.size()),
       bins_(static_cast<std::size_t>(general.size.frame_size) / 2 + 1),
-      step_(1 - std::exp(-static_cast<float>(general.size.hop_size) /
-                         (config.memory * static_cast<float>(general.samplerate.mu)))),
+      hop_seconds_(static_cast<float>(general.size.hop_size) / static_cast<float>(general.samplerate.mu)),
+      share_step_(step_of(config.memory)),
       least_(std::pow(10.F, config.white_noise_gain / 10)),
       steering_(general),
       masks_(general, slots),
+      stillness_(general, slots),
       slots_(slots),
       powers_(slots, BinReals(bins_)),
       x_(mics_, bins_),
@@ -114,6 +117,8 @@ void AdaptiveBeamformer::separate(GridView<const cfloat> spectra, std::span<cons
     stays = stays || (slots_[s].id != 0 && slots_[s].id == tracks[s].id);
   }
   if (anybody && !stays) forget_room();
+  stillness_.update(tracks);
+  step_ = step_of(memory());
   hear(spectra);
   for (std::size_t s = 0; s < slots_.size(); ++s) follow(s, tracks[s]);
   for (std::size_t s = 0; s < slots_.size(); ++s) {
@@ -128,6 +133,16 @@ void AdaptiveBeamformer::separate(GridView<const cfloat> spectra, std::span<cons
     if (slots_[s].heard) measure(s, beams[s]);
   }
   ++hop_;
+}
+
+/// What was learned before somebody walked is of another room.
+float AdaptiveBeamformer::memory() const noexcept {
+  return std::clamp(stillness_.seconds(), std::min(kWalkingMemory, config_.memory), config_.memory);
+}
+
+/// Weight of the new value per hop.
+float AdaptiveBeamformer::step_of(float seconds) const noexcept {
+  return 1 - std::exp(-hop_seconds_ / seconds);
 }
 
 void AdaptiveBeamformer::hear(GridView<const cfloat> spectra) noexcept {
@@ -273,7 +288,7 @@ void AdaptiveBeamformer::learn(std::size_t s) noexcept {
   for (std::size_t k = 0; k < bins_; ++k) {
     const float g = std::min(mask[k], 1.F) * finite_[k];
     const float other = step_ * (finite_[k] - g);
-    slot.share[k] += step_ * finite_[k] * (g - slot.share[k]);
+    slot.share[k] += share_step_ * finite_[k] * (g - slot.share[k]);
     slot.level[k] += other * (power_[k] - slot.level[k]);
     gain_[k] = step_ * g;
     keep_[k] = 1 - other;
@@ -408,6 +423,7 @@ GridView<const cfloat> AdaptiveBeamformer::weights(std::size_t slot) const noexc
 void AdaptiveBeamformer::forget_room() noexcept {
   hop_ = 0;
   masks_.reset();
+  stillness_.reset();
   background_.fill(0);
   smooth_.fill(0);
   floor_.fill(0);

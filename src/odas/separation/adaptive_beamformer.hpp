@@ -9,6 +9,7 @@
 #include "odas/separation/bin_blocks.hpp"
 #include "odas/separation/config.hpp"
 #include "odas/separation/steering.hpp"
+#include "odas/separation/stillness.hpp"
 #include "odas/separation/talker_masks.hpp"
 
 namespace odas {
@@ -28,6 +29,7 @@ namespace odas {
 ///   R begins as diffuse sound of the present level. Where the machine's own noise is known (use_noise), R
 ///   begins as this noise, and takes a column of its factor in each hop, as if the noise went on behind all
 ///   that is heard: R <- R + M a (1 - g) f_j f_j^H.
+///   a: forgets within `memory` where all stand still, sooner from when somebody walks (Stillness).
 /// Symbols: ref: the microphone that hears the direction best; share: mean of g; rho: power of the talker
 ///   over that of the other talkers and of the noise floor; M: microphones; f_j: column j of NoiseField, j
 ///   the hop mod M.
@@ -76,6 +78,8 @@ class AdaptiveBeamformer : public Beamformer {
     Grid<cfloat> weights;         // [mic][bin]
   };
 
+  [[nodiscard]] float memory() const noexcept;
+  [[nodiscard]] float step_of(float seconds) const noexcept;
   void forget_room() noexcept;
   void hear(GridView<const cfloat> spectra) noexcept;
   void follow(std::size_t s, const Track& track) noexcept;
@@ -95,10 +99,13 @@ class AdaptiveBeamformer : public Beamformer {
   Criterion criterion_;
   AdaptiveConfig config_;
   std::size_t mics_, bins_;
-  float step_;   // a
-  float least_;  // the smallest white noise gain, as a ratio
+  float hop_seconds_;
+  float step_ = 1;    // a, in this hop
+  float share_step_;  // the same of the share, which nobody's walking changes
+  float least_;       // the smallest white noise gain, as a ratio
   Steering steering_;
   TalkerMasks masks_;
+  Stillness stillness_;
   const NoiseField* known_ = nullptr;
   std::vector<Slot> slots_;
   std::vector<BinReals> powers_;  // [slot]: of the beams, unit gain, smoothed

@@ -39,8 +39,8 @@ struct SingleSourceFilterConfig {
 
 /// The beamformers that learn: `sss.dmvdr`, `sss.dgev`.
 struct AdaptiveConfig {
-  float memory = 1.3F;        // s
-  float loading = 0.01F;      // of the power of all else
+  float memory = 3;           // s
+  float loading = 0.003F;     // of the power of all else
   float unexplained = 0.02F;  // of the talker's
   float tradeoff = 2;
   float harm = 8;
