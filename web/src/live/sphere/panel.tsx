@@ -35,9 +35,15 @@ function firstHopShown(store: Store): Promise<void> {
       if (!idle && (store.beat.value === 0 || store.ring.end === 0)) return;
       clearTimeout(timer);
       queueMicrotask(() => stop());
-      requestAnimationFrame(() => setTimeout(resolve));
+      requestAnimationFrame(() => whenIdle(resolve));
     });
   });
+}
+
+/** Once nothing else is to be done, and half a second later at most; some browsers cannot tell. */
+function whenIdle(act: () => void): void {
+  if ("requestIdleCallback" in globalThis) requestIdleCallback(act, { timeout: 500 });
+  else setTimeout(act, 100);
 }
 
 /** Rejects where there is no WebGL 2. A canvas that has been asked for it gives no 2-D any more: the flat map takes another one. */
