@@ -11,6 +11,8 @@
 #include "odas/base/error.hpp"
 #include "odas/config/edit.hpp"
 #include "odas/studio/config_edit.hpp"
+#include "odas/studio/own_file.hpp"
+#include "odas/studio/session_shelf.hpp"
 
 namespace odas {
 namespace {
@@ -25,9 +27,24 @@ StudioConfig section_of(const Document& document) {
   return read_configuration_text(document.text, document.source_name()).config.studio;
 }
 
+/// A session's file, or the name of one among the recordings: the page finds it there.
+void open_session(StudioOptions& studio, const std::string& what) {
+  namespace fs = std::filesystem;
+  const fs::path folder = recordings_folder(studio.config.recordings);
+  const fs::path file = fs::exists(what) ? fs::path(what) : folder / what;
+  if (!fs::exists(file)) throw ConfigError(what, "there is no such session, here or in " + folder.string());
+  const fs::path real = fs::canonical(file);
+  studio.session = real.filename().string();
+  if (!SessionShelf(real.parent_path()).find(studio.session)) {
+    throw ConfigError(what, "is no session that a Studio has recorded");
+  }
+  studio.config.recordings = real.parent_path().string();
+}
+
 int serve(const StudioArguments& arguments) {
   StudioRun run;
   StudioConfig& config = run.studio.config;
+  const bool session = arguments.what.ends_with(".mcap") && !arguments.odas;
   if (arguments.odas) {
     run.studio.odas.emplace();
     if (!arguments.what.empty()) {
@@ -36,9 +53,7 @@ int serve(const StudioArguments& arguments) {
       run.studio.odas = odas_sender(sender, document.name);
       config = sender.studio;
     }
-  } else if (arguments.what.ends_with(".mcap")) {
-    run.studio.session = arguments.what;
-  } else if (!arguments.what.empty()) {
+  } else if (!arguments.what.empty() && !session) {
     run.studio.open = read_document(arguments.what);
     config = section_of(*run.studio.open);
   }
@@ -50,6 +65,7 @@ int serve(const StudioArguments& arguments) {
   if (!arguments.address.empty()) set_address(config, arguments.address);
   if (!arguments.token.empty()) config.token = arguments.token;
   if (!arguments.recordings.empty()) config.recordings = arguments.recordings;
+  if (session) open_session(run.studio, arguments.what);
   run.studio.loop = arguments.loop;
   run.qr = !arguments.no_qr;
   run.any_port = arguments.any_port;

@@ -65,6 +65,11 @@ int serve_studio(StudioRun run) {
   const char* const program = run.studio.program.c_str();
   const std::string url = studio->url();
   std::fprintf(stderr, "%s: Studio: %s (Ctrl-C ends)\n", program, url.c_str());
+  if (!run.studio.open && !run.studio.odas && run.studio.session.empty()) {
+    std::fprintf(stderr,
+                 "%s: nothing is heard yet: open the page and choose a device or file, and an array\n",
+                 program);
+  }
   // For the phone in the other hand; a file or a pipe has no camera before it.
   if (run.qr && leads_beyond(run.studio.config) && ::isatty(STDERR_FILENO) == 1) {
     std::fputs(qr_code(url).c_str(), stderr);

@@ -105,6 +105,41 @@ TEST(StudioProgram, shows_no_code_where_nobody_needs_one) {
   EXPECT_EQ(daemon.stop().err.find("\u2580"), std::string::npos);
 }
 
+TEST(StudioProgram, shows_a_session_wherever_its_file_lies) {
+  const Scratch scratch;
+  std::string name;
+  {
+    StudioDaemon daemon(demo(scratch));
+    ASSERT_NE(daemon.port(), 0) << daemon.said();
+    WebClient client(daemon.port());
+    client.send(R"({"id":1,"method":"record.start","params":{"what":"session"}})");
+    name = next(client, "reply").at("result").at("name");
+    client.send(R"({"id":2,"method":"record.stop","params":{"all":true}})");
+    EXPECT_EQ(next(client, "reply").at("result").at("names"), json::array({name}));
+  }
+  StudioDaemon daemon({"studio", (scratch / name).string(), "--listen", "127.0.0.1:0"});
+  ASSERT_NE(daemon.port(), 0) << daemon.said();
+  EXPECT_EQ(json::parse(http_get(daemon.port(), "/api/v1/info").body).at("open_session"), name);
+  EXPECT_EQ(http_get(daemon.port(), "/api/v1/sessions/" + name).status, 200);
+}
+
+TEST(StudioProgram, says_what_is_no_session) {
+  const Scratch scratch;
+  write_file(scratch / "words.mcap", "words");
+  for (const auto& [file, why] :
+       {std::pair("words.mcap", "is no session"), {"none.mcap", "there is no such"}}) {
+    const ProgramRun run = run_program({program_path("odas"), "studio", (scratch / file).string()});
+    EXPECT_EQ(run.exit_code, 2) << file;
+    EXPECT_NE(run.err.find(why), std::string::npos) << run.err;
+  }
+}
+
+TEST(StudioProgram, says_that_it_waits_for_a_choice_where_it_was_given_nothing) {
+  StudioDaemon daemon({"studio", "--listen", "127.0.0.1:0"});
+  ASSERT_NE(daemon.port(), 0) << daemon.said();
+  EXPECT_TRUE(eventually([&] { return daemon.said().find("choose a device") != std::string::npos; }));
+}
+
 TEST(StudioProgram, speaks_tls_with_the_files_that_it_is_given) {
   const Scratch scratch;
   const std::string key = (scratch / "key.pem").string(), certificate = (scratch / "cert.pem").string();

@@ -47,9 +47,12 @@ const files = [
   ...daemon.map((name) => join(root, "test/e2e", name)),
 ];
 
+const times = join(root, "test/support/times.mjs");
+const reporters = ["tap", times].flatMap((name) => [`--test-reporter=${name}`, "--test-reporter-destination=stdout"]);
+
 const server = await launchServer();
 const runTests = (some, concurrency) =>
-  some.length === 0 ? 0 : run(process.execPath, ["--test", `--test-concurrency=${concurrency}`, ...some], { ODAS_BROWSER: server.wsEndpoint(), ODAS_DIST: join(out, "dist") });
+  some.length === 0 ? 0 : run(process.execPath, ["--test", ...reporters, `--test-concurrency=${concurrency}`, ...some], { ODAS_BROWSER: server.wsEndpoint(), ODAS_DIST: join(out, "dist") });
 // Sound is played in real time: those tests have the machine to themselves.
 const isHeard = (file) => /(listen|sound)\.test/.test(file);
 const tests = await runTests(files.filter((file) => !isHeard(file)), 2);

@@ -63,7 +63,10 @@ void StudioServer::Body::listen() {
   Error error;
   Tcp::resolver resolver(io_);
   const auto found = resolver.resolve(host, std::to_string(config_.port), Tcp::resolver::passive, error);
-  if (error || found.empty()) throw ConfigError("studio.ip", "there is no address '" + host + "'");
+  if (error || found.empty()) {
+    throw ConfigError("studio.ip",
+                      "'" + host + "' is no address to listen at; 127.0.0.1 is this machine alone");
+  }
   const Tcp::endpoint endpoint = found.begin()->endpoint();
   const auto fail = [&](const std::string& hint) {
     throw IoError(fmt::format("cannot listen on {}:{}: {}{}", host, config_.port, error.message(), hint));
@@ -72,7 +75,10 @@ void StudioServer::Body::listen() {
   if (!error) acceptor_.set_option(asio::socket_base::reuse_address(true), error);
   if (!error) acceptor_.bind(endpoint, error);
   if (!error) acceptor_.listen(asio::socket_base::max_listen_connections, error);
-  if (error == asio::error::address_in_use) fail("; another program is there: choose another port");
+  if (error == asio::error::address_in_use)
+    fail("; another program is there: choose another port (--listen, or studio.port)");
+  if (error == std::errc::address_not_available)
+    fail("; this machine has other addresses; 0.0.0.0 is all of them");
   if (error == asio::error::access_denied) fail("; ports below 1024 need privileges: choose a higher one");
   if (error) fail("");
   port_ = acceptor_.local_endpoint().port();

@@ -18,6 +18,11 @@ bool is_plain_name(std::string_view name) noexcept {
          });
 }
 
+bool is_file(const fs::path& path) noexcept {
+  std::error_code ignored;
+  return fs::symlink_status(path, ignored).type() == fs::file_type::regular;
+}
+
 IoStatus write_whole(const fs::path& file, std::string_view content) {
   const fs::path part = file.parent_path() / ("." + file.filename().string() + ".part");
   std::ofstream out(part, std::ios::binary | std::ios::trunc);

@@ -13,6 +13,9 @@ namespace odas {
 /// Whether it can only be a file within its folder: no path, nothing hidden, nothing that leads out of it.
 [[nodiscard]] bool is_plain_name(std::string_view name) noexcept;
 
+/// Whether it is a file and no link to one.
+[[nodiscard]] bool is_file(const std::filesystem::path& path) noexcept;
+
 /// Writes a small file so that a reader sees the old one or the new one, whatever happens in between.
 IoStatus write_whole(const std::filesystem::path& file, std::string_view content);
 

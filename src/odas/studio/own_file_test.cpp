@@ -18,6 +18,16 @@ TEST(OwnFile, names_that_lead_elsewhere_are_refused) {
   EXPECT_TRUE(is_plain_name("20260131T120000.125Z_source_12.wav"));
 }
 
+TEST(OwnFile, is_a_file_and_neither_a_folder_nor_a_link) {
+  const test::Scratch scratch;
+  test::write_file(scratch / "a.wav", "");
+  std::filesystem::create_symlink(scratch / "a.wav", scratch / "b.wav");
+  EXPECT_TRUE(is_file(scratch / "a.wav"));
+  EXPECT_FALSE(is_file(scratch / "b.wav"));
+  EXPECT_FALSE(is_file(scratch.folder()));
+  EXPECT_FALSE(is_file(scratch / "none"));
+}
+
 TEST(OwnFile, is_written_whole_and_leaves_nothing_else) {
   const test::Scratch scratch;
   ASSERT_TRUE(write_whole(scratch / "a.json", "one").ok());

@@ -22,11 +22,6 @@ namespace {
 constexpr std::uintmax_t kLongestJson = std::uintmax_t{64} << 20;
 constexpr std::size_t kMostPeaks = 32;  // that are kept
 
-bool is_file(const fs::path& path) {
-  std::error_code ignored;
-  return fs::symlink_status(path, ignored).type() == fs::file_type::regular;
-}
-
 std::uintmax_t size_of(const fs::path& path) {
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);

@@ -194,8 +194,14 @@ void Records::tell(Lock& lock) {
   Json message = state();
   if (!faults.empty()) message["fault"] = faults.back();
   told_ = Clock::now();
+  const std::uint64_t number = ++states_;
   lock.unlock();
-  to_.announce("recordings", message);
+  {
+    // Another thread may have come in between: what is told last is how it is.
+    const std::scoped_lock telling(telling_mutex_);
+    if (number > told_state_) to_.announce("recordings", message);
+    told_state_ = std::max(told_state_, number);
+  }
   if (!options_.say) return;
   for (const std::string& fault : faults) options_.say("error", fault);
 }

@@ -104,6 +104,10 @@ class Records : public HopListener, public FileProvider, public Announcer {
   HopIndex last_ = 0;
   std::chrono::steady_clock::time_point flushed_{}, told_{};
   std::vector<std::string> faults_;
+  std::uint64_t states_ = 0;  // that were taken down so far
+
+  std::mutex telling_mutex_;
+  std::uint64_t told_state_ = 0;  // which of them was told last
 
   std::mutex messages_mutex_;
   std::deque<std::pair<std::string, Json>> messages_;  // that a session has yet to keep

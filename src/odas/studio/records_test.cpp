@@ -210,5 +210,42 @@ TEST_F(RecordsTest, are_used_by_several_threads_at_once) {
   EXPECT_TRUE(said.empty()) << said.front();
 }
 
+/// Keeps a message only after another one, or after a while, once it is asked to.
+class LateMessages : public test::KeptMessages {
+ public:
+  void announce(const std::string& topic, const json& message) override {
+    if (late.exchange(false)) {
+      const std::size_t before = of(topic).size();
+      waits = true;
+      for (int i = 0; i < 100 && of(topic).size() == before; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      }
+    }
+    KeptMessages::announce(topic, message);
+  }
+  std::atomic<bool> late{false}, waits{false};
+};
+
+TEST(RecordsOfTwoThreads, tell_last_how_it_is) {
+  const test::Scratch scratch;
+  LateMessages messages;
+  RecordsOptions options;
+  options.folder = scratch.folder();
+  Records records(options, messages);
+  RpcRegistry rpc;
+  records.add_methods(rpc);
+  test::HopMaker hops;
+  records.begin(hops.info());
+  hops.play(records, {1, 0});
+  messages.late = true;
+  std::thread starts([&] {
+    static_cast<void>(rpc.call("record.start", {{"what", "raw"}}, Role::operator_));
+  });
+  while (!messages.waits) std::this_thread::yield();
+  static_cast<void>(rpc.call("record.stop", {{"all", true}}, Role::operator_));
+  starts.join();
+  EXPECT_TRUE(messages.of("recordings").back()["active"].empty());
+}
+
 }  // namespace
 }  // namespace odas::records_test

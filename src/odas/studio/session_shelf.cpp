@@ -17,11 +17,6 @@ using nlohmann::json;
 
 namespace {
 
-bool is_file(const fs::path& path) {
-  std::error_code ignored;
-  return fs::symlink_status(path, ignored).type() == fs::file_type::regular;
-}
-
 bool is_ours(const fs::path& file) {
   try {
     return McapReader(file).profile() == "odas";

@@ -10,6 +10,8 @@ const kWindow = 1;
 /** Seconds by which that least may be above the target, or what share of the target it may fall to, before anything is done. */
 const kSlack = 0.03;
 const kLow = 0.4;
+/** So many times in a row a small excess must be seen: on a busy computer what is too much now is needed in a moment. */
+const kPatience = 5;
 /** An excess of this much (seconds) is left out at once. */
 const kCut = 0.06;
 /** Share by which playing is faster or slower for a smaller one: not heard as another pitch. */
@@ -53,6 +55,7 @@ export class JitterBuffer {
   /** Samples that are still to be won (or, below 0, lost) by playing faster (slower). */
   private owed = 0;
   private least = Infinity;
+  private excesses = 0;
   private window = 0;
   private underruns = 0;
   private played = 0;
@@ -172,8 +175,9 @@ export class JitterBuffer {
     this.window += count;
     if (this.window < kWindow * this.rate) return;
     const over = this.least - this.target;
+    this.excesses = over > kSlack ? this.excesses + 1 : 0;
     if (over > kCut) this.cut(Math.round(over * this.rate));
-    else if (over > kSlack) this.owed = over * this.rate;
+    else if (this.excesses >= kPatience) this.owed = over * this.rate;
     else if (this.least < kLow * this.target) this.owed = (this.least - 0.5 * this.target) * this.rate;
     this.least = Infinity;
     this.window = 0;
@@ -181,6 +185,7 @@ export class JitterBuffer {
 
   private watchAnew(): void {
     this.owed = 0;
+    this.excesses = 0;
     this.least = Infinity;
     this.window = 0;
   }

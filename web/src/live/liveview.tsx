@@ -17,6 +17,9 @@ import { SpherePanel } from "./sphere/panel";
 import { View, ViewContext } from "./view";
 import { useViewKeys } from "./viewkeys";
 
+/** Milliseconds between two looks at words and numbers. */
+const kPulse = 125;
+
 /** `replay`: without what belongs to an engine that runs. `use` may call hooks with the view. */
 export function LiveView({ replay = false, use = () => {} }: { replay?: boolean; use?: (view: View) => void }) {
   const studio = useStudio();
@@ -24,9 +27,16 @@ export function LiveView({ replay = false, use = () => {} }: { replay?: boolean;
   use(view);
   useViewKeys(view, studio);
   useEffect(() => {
-    const timer = setInterval(() => {
+    // With the hops, and on without them; so that who begins to speak is seen at once.
+    let last = -Infinity;
+    const pulse = () => {
+      const now = performance.now();
+      if (now - last < kPulse) return;
+      last = now;
       view.pulse.value++;
-    }, 125);
+    };
+    const timer = setInterval(pulse, kPulse);
+    const beats = studio.store.beat.subscribe(pulse);
     let first = true;
     const stop = studio.store.epoch.subscribe(() => {
       if (!first) view.forget();
@@ -34,6 +44,7 @@ export function LiveView({ replay = false, use = () => {} }: { replay?: boolean;
     });
     return () => {
       clearInterval(timer);
+      beats();
       stop();
     };
   }, [view]);

@@ -168,6 +168,26 @@ test("record begins in the middle of a track with the look-back, and the same ke
   await done();
 });
 
+// Whoever presses a button lets go of it a moment later: until then it must not move away from under the pointer.
+test("a button of a voice is pressed also where the voice was not chosen before", async () => {
+  const { page, daemon, done } = await open(3);
+  await page.waitForSelector('[data-voice="13"]');
+  daemon.send(beams([[11, 14.2, 5.8, 21.4], [12, 9, 6, 20], [13, 12, 6, 19]]));
+  await page.locator('[data-voice="13"]').getByText("SNR 12 dB").waitFor();
+  daemon.methods["record.start"] = ({ track }) => ({ id: track, name: "x.wav" });
+  for (const id of [12, 13, 11]) {
+    const box = await page.locator(`[data-voice="${id}"]`).getByRole("button", { name: "Record" }).boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.waitForTimeout(200);
+    await page.mouse.up();
+    await page.getByText(`Recording voice ${id}`).waitFor({ timeout: 5000 });
+    await page.waitForSelector(`[data-voice="${id}"].selected`);
+  }
+  assert.deepEqual(daemon.calls("record.start").map(({ params }) => params.track), [12, 13, 11]);
+  await done();
+});
+
 test("a refused command says why", async () => {
   const { page, daemon, done } = await open(1);
   daemon.methods["record.start"] = () => {

@@ -29,7 +29,7 @@ export function fullDaemon(helloFields = {}) {
 /** Nothing recorded, nothing configured. */
 export function emptyDaemon() {
   const { daemon } = fullDaemon({ run: null });
-  daemon.greeting = [hello({ run: null }), { type: "engine", state: "idle", what: "no configuration" }];
+  daemon.greeting = [hello({ run: null }), { type: "engine", state: "idle", what: "" }];
   daemon.methods["recordings.list"] = () => [];
   daemon.methods["sessions.list"] = () => [];
   return { daemon };

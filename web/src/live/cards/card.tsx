@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { Swatch } from "./swatch";
 import { number } from "../../i18n/i18n";
+import { clock } from "../../lib/bytes";
 import { Icon } from "../../shell/icons";
 import { angle } from "../../shell/units";
 import type { Beam } from "../../store/store";
@@ -15,8 +16,7 @@ import type { Voice } from "../voices";
 const kFloor = -60;
 
 function ago(seconds: number): string {
-  if (seconds < 60) return `${number(Math.floor(seconds))} s`;
-  return `${number(Math.floor(seconds / 60))} min ${String(Math.floor(seconds % 60)).padStart(2, "0")} s`;
+  return seconds < 60 ? `${number(Math.floor(seconds))} s` : clock(seconds);
 }
 
 export function Card({ voice }: { voice: Voice }) {
@@ -37,13 +37,12 @@ export function Card({ voice }: { voice: Voice }) {
       data-voice={id}
       onPointerEnter={() => { view.hovered.value = id; }}
       onPointerLeave={() => { view.hovered.value = null; }}
-      onFocusCapture={() => { view.selected.value = id; }}
+      // Chosen by the keyboard, or once the pointer has let go: the card of the chosen voice is higher, and what moves between
+      // pressing and letting go is not pressed.
+      onFocusCapture={(event) => { if ((event.target as Element).matches(":focus-visible")) view.selected.value = id; }}
+      onClick={() => { view.selected.value = id; }}
     >
-      <button
-        class="card-head"
-        aria-pressed={view.selected.value === id}
-        onClick={() => { view.selected.value = id; }}
-      >
+      <button class="card-head" aria-pressed={view.selected.value === id}>
         <Swatch look={voice.look} />
         <span class="card-id">{`#${id}`}</span>
         {voice.tag !== "dynamic" && <span class="badge">{voice.tag}</span>}
@@ -56,14 +55,6 @@ export function Card({ voice }: { voice: Voice }) {
       <div class="card-meter" role="img" aria-label={`${t("level")} ${voice.level === null ? "–" : `${number(voice.level)} dB`}`}>
         <span style={{ transform: `scaleX(${level ?? 0})` }} />
       </div>
-      <div class="card-facts figures">
-        <span>{voice.level === null ? "– dB" : `${number(voice.level)} dB`}</span>
-        <span>{`${t("activity")} ${number(voice.activity, 2)}`}</span>
-        <span>{t("age", { time: ago(voice.age) })}</span>
-        {voice.category > 0 && <span class={voice.category === 2 ? "speech" : ""}>{t(voice.category === 2 ? "speech" : "noise")}</span>}
-        {beam && beam.snr !== null && <span title={t("snrMeans")}>{t("snr", { n: number(beam.snr) })}</span>}
-      </div>
-      {beam && view.selected.value === id && <BeamFacts beam={beam} />}
       <div class="card-tools">
         <Tool name={shown ? "eye" : "eyeOff"} label={t(shown ? "hide" : "show")} hint="H" pressed={!shown} run={() => view.toggleHidden(id)} />
         <Tool text="S" label={t("solo")} hint="S" pressed={view.solo.value === id} run={() => view.toggleSolo(id)} />
@@ -72,6 +63,13 @@ export function Card({ voice }: { voice: Voice }) {
           <Tool name={recording ? "stop" : "record"} label={t(recording ? "stopRecording" : "record")} hint="R" pressed={recording} run={() => toggleRecording(studio, id)} record />
         )}
       </div>
+      <div class="card-facts figures">
+        <span>{voice.level === null ? "– dB" : `${number(voice.level)} dB`}</span>
+        <span>{`${t("activity")} ${number(voice.activity, 2)}`}</span>
+        <span>{t("age", { time: ago(voice.age) })}</span>
+        {voice.category > 0 && <span class={voice.category === 2 ? "speech" : ""}>{t(voice.category === 2 ? "speech" : "noise")}</span>}
+      </div>
+      {beam && <BeamFacts beam={beam} all={view.selected.value === id} />}
       {transcripts && (
         <p class="card-words" lang="">
           {transcripts.map((one, k) => <span key={k} class={one.final ? "" : "soft"}>{`${one.text} `}</span>)}
@@ -81,10 +79,12 @@ export function Card({ voice }: { voice: Voice }) {
   );
 }
 
-function BeamFacts({ beam: { gain, condition } }: { beam: Beam }) {
-  if (gain === null && condition === null) return null;
+function BeamFacts({ beam: { snr, ...more }, all }: { beam: Beam; all: boolean }) {
+  const { gain, condition } = all ? more : { gain: null, condition: null };
+  if (snr === null && gain === null && condition === null) return null;
   return (
     <div class="card-facts figures">
+      {snr !== null && <span title={t("snrMeans")}>{t("snr", { n: number(snr) })}</span>}
       {gain !== null && <span title={t("beamGainMeans")}>{t("beamGain", { n: number(gain, 1) })}</span>}
       {condition !== null && <span title={t("beamConditionMeans")}>{t("beamCondition", { n: number(condition, 1) })}</span>}
     </div>

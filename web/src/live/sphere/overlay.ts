@@ -21,7 +21,7 @@ export function drawOverlay(draw: CanvasRenderingContext2D, width: number, heigh
   draw.textBaseline = "middle";
   draw.font = "11px system-ui, sans-serif";
   draw.fillStyle = ink.text;
-  drawDegrees(draw, stage, frame, marks.flat);
+  drawDegrees(draw, width, stage, frame, marks.flat);
 
   draw.font = "10px system-ui, sans-serif";
   if (!marks.flat && width > 260) {
@@ -44,27 +44,28 @@ export function drawOverlay(draw: CanvasRenderingContext2D, width: number, heigh
     draw.font = "600 12px system-ui, sans-serif";
     const text = `#${id}`;
     const wide = draw.measureText(text).width + 8;
+    const left = besideRight(x, width) ? x + r + 5 : x - r - 5 - wide;
     draw.fillStyle = ink.ground;
     draw.globalAlpha = front ? 0.85 : 0.5;
     draw.beginPath();
-    draw.roundRect(x + r + 5, y - 9, wide, 18, 5);
+    draw.roundRect(left, y - 9, wide, 18, 5);
     draw.fill();
     draw.globalAlpha = front ? 1 : 0.7;
     draw.fillStyle = ink.strong;
-    draw.fillText(text, x + r + 5 + wide / 2, y + 0.5);
+    draw.fillText(text, left + wide / 2, y + 0.5);
   }
   draw.globalAlpha = 1;
 }
 
 /** Degrees around the sphere, each where no voice and no other number stands; those in front come first. */
-function drawDegrees(draw: CanvasRenderingContext2D, stage: Stage, frame: Frame, flat: boolean): void {
+function drawDegrees(draw: CanvasRenderingContext2D, width: number, stage: Stage, frame: Frame, flat: boolean): void {
   const out = flat ? 1 : 1.1;
   const labels: (Projected & { text: string })[] = [];
   for (let az = -150; az <= 180; az += 30) labels.push({ text: degrees(az, ""), ...stage.project(scaled(direction(az, flat ? -83 : 0), out)) });
   for (const el of [-60, -30, 30, 60]) labels.push({ text: degrees(el, "+"), ...stage.project(scaled(direction(flat ? 172 : 0, el), out)) });
   const taken = frame.balls.flatMap(({ az, el }) => {
     const { x, y } = stage.project(direction(az, el));
-    return [{ x, y }, { x: x + 28, y }];
+    return [{ x, y }, { x: x + (besideRight(x, width) ? 28 : -28), y }];
   });
   for (const { text, x, y, front } of labels.sort((a, b) => Number(b.front) - Number(a.front))) {
     if (taken.some((other) => Math.abs(other.x - x) < 30 && Math.abs(other.y - y) < 14)) continue;
@@ -74,6 +75,9 @@ function drawDegrees(draw: CanvasRenderingContext2D, stage: Stage, frame: Frame,
   }
   draw.globalAlpha = 1;
 }
+
+/** The number of a ball stands to its right, or to its left where there is no room for it. */
+const besideRight = (x: number, width: number) => x + 50 < width;
 
 const degrees = (value: number, plus: string) => `${value < 0 ? "\u2212" : plus}${Math.abs(value)}°`;
 

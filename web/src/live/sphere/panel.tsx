@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Sphere (or flat map): drawing, pointing, choosing.
+import { effect } from "@preact/signals";
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import { probe } from "../../shell/counters";
 import { Icon } from "../../shell/icons";
 import { reducedMotion, shownTheme } from "../../shell/theme";
 import type { Vec3 } from "../../socket/messages";
+import type { Store } from "../../store/store";
 import { useStudio } from "../../studio";
 import { watchAll } from "../charts/chart";
 import { useFitted } from "../fitted";
@@ -21,27 +23,37 @@ import { SphereSummary } from "./summary";
 
 const kViews: Preset[] = ["front", "top", "side", "iso"];
 
-/** WebGL 2 is there and works; three takes the page down where it is not. */
-function webglWorks(): boolean {
-  try {
-    const context = document.createElement("canvas").getContext("webgl2");
-    context?.getExtension("WEBGL_lose_context")?.loseContext();
-    return context !== null;
-  } catch {
-    return false;
-  }
+/** Milliseconds that the sphere waits for a first hop. */
+const kPatience = 1000;
+
+/** Making the sphere keeps a slow computer busy for a moment: whoever is there is seen before. At once where nothing runs. */
+function firstHopShown(store: Store): Promise<void> {
+  return new Promise((resolve) => {
+    const timer = setTimeout(resolve, kPatience);
+    const stop = effect(() => {
+      const idle = store.link.value === "still" || store.link.value === "offline";
+      if (!idle && (store.beat.value === 0 || store.ring.end === 0)) return;
+      clearTimeout(timer);
+      queueMicrotask(() => stop());
+      requestAnimationFrame(() => whenIdle(resolve));
+    });
+  });
 }
 
+/** Once nothing else is to be done, and half a second later at most; some browsers cannot tell. */
+function whenIdle(act: () => void): void {
+  if ("requestIdleCallback" in globalThis) requestIdleCallback(act, { timeout: 500 });
+  else setTimeout(act, 100);
+}
+
+/** Rejects where there is no WebGL 2. A canvas that has been asked for it gives no 2-D any more: the flat map takes another one. */
 async function makeStage(canvas: HTMLCanvasElement, onMove: () => void): Promise<Stage> {
-  if (webglWorks()) {
-    try {
-      const { SphereScene } = await import("./scene");
-      return new SphereScene(canvas, onMove);
-    } catch {
-      // A canvas that has been asked for WebGL gives no 2-D any more: the caller takes a new one.
-    }
-  }
-  throw new Error("no WebGL");
+  const context = canvas.getContext("webgl2", { alpha: false, antialias: true, powerPreference: "low-power" });
+  if (!context) throw new Error("no WebGL");
+  const { SphereScene } = await import("./scene");
+  const scene = new SphereScene(canvas, context, onMove);
+  await scene.compiled();
+  return scene;
 }
 
 export function SpherePanel() {
@@ -61,16 +73,16 @@ export function SpherePanel() {
 
   useEffect(() => {
     let gone = false;
-    const use = (next: Stage, name: "deep" | "flat") => {
-      if (gone) return next.dispose();
-      stage.current = next;
-      setKind(name);
+    const make = async () => {
+      await firstHopShown(store);
+      if (gone) return;
+      const scene = await makeStage(deep.current!, () => size.current.changed.value++).catch(() => null);
+      if (gone) return scene?.dispose();
+      stage.current = scene ?? new FlatMap(flat.current!);
+      setKind(scene ? "deep" : "flat");
       size.current.changed.value++;
     };
-    makeStage(deep.current!, () => size.current.changed.value++).then(
-      (next) => use(next, "deep"),
-      () => use(new FlatMap(flat.current!), "flat"),
-    );
+    void make();
     return () => {
       gone = true;
       stage.current?.dispose();

@@ -35,8 +35,8 @@ export class SphereScene implements Stage {
   private width = 1;
   private height = 1;
 
-  constructor(canvas: HTMLCanvasElement, onMove: () => void) {
-    this.renderer = new three.WebGLRenderer({ canvas, antialias: true, powerPreference: "low-power" });
+  constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext, onMove: () => void) {
+    this.renderer = new three.WebGLRenderer({ canvas, context });
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enablePan = false;
@@ -69,14 +69,20 @@ export class SphereScene implements Stage {
     this.recolor();
   }
 
+  /** Resolves when the shaders are ready; the page goes on meanwhile, which it would not at the first drawing. */
+  async compiled(): Promise<void> {
+    await this.renderer.compileAsync(this.scene, this.camera);
+  }
+
   resize(width: number, height: number, ratio: number): void {
     this.width = width;
     this.height = height;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / Math.max(1, height);
-    // Upright boxes are fitted by their width.
-    this.camera.fov = this.camera.aspect >= 1 ? 30 : 2 * (180 / Math.PI) * Math.atan(Math.tan((15 * Math.PI) / 180) / this.camera.aspect);
+    // Upright boxes are fitted by their width, with room for the words at both sides.
+    const share = Math.min(1, this.camera.aspect / 1.2);
+    this.camera.fov = 2 * (180 / Math.PI) * Math.atan(Math.tan((15 * Math.PI) / 180) / share);
     this.camera.updateProjectionMatrix();
   }
 

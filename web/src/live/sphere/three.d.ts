@@ -132,6 +132,7 @@ declare module "three" {
     setSize(width: number, height: number, style: boolean): void;
     setPixelRatio(ratio: number): void;
     render(scene: Scene, camera: Camera): void;
+    compileAsync(scene: Scene, camera: Camera): Promise<Scene>;
     dispose(): void;
     forceContextLoss(): void;
   }

@@ -44,7 +44,7 @@ export class Playback {
     if (this.replayer.ended) this.seek(0);
     this.playing.value = true;
     this.before = performance.now();
-    this.frame = requestAnimationFrame((now) => this.tick(now));
+    this.frame = requestAnimationFrame(() => this.tick());
   }
 
   pause(): void {
@@ -107,8 +107,10 @@ export class Playback {
     this.replayer.loop = this.looping.value ? (this.loop.value ?? { a: 0, b: this.session.seconds }) : null;
   }
 
-  private tick(now: number): void {
+  private tick(): void {
     if (!this.playing.value) return;
+    // Not the time of the frame, which may be over for long on a busy computer: sound is heard now.
+    const now = performance.now();
     // A tab that was hidden does not run through all that it missed.
     const elapsed = Math.min((now - this.before) / 1000, 0.5);
     this.before = now;
@@ -117,7 +119,7 @@ export class Playback {
     if (this.replayer.ended) return this.pause();
     this.sounding.voice = this.voiceOf(this.voiceKey.value);
     this.sounding.follow(this.position.value, this.speed.value);
-    this.frame = requestAnimationFrame((next) => this.tick(next));
+    this.frame = requestAnimationFrame(() => this.tick());
   }
 
   private voiceOf(key: string) {

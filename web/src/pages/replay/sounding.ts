@@ -37,16 +37,17 @@ export class Sounding {
   follow(position: number, speed: number): void {
     if (!this.voice || speed === 0) return this.silence();
     const context = (this.context ??= new AudioContext());
-    if (context.state === "suspended") void context.resume();
+    if (context.state !== "running") return void context.resume();
+    // What is being fetched is waited for: on a slow computer that takes longer than sound and picture may be apart.
+    if (this.busy) return;
     const heard = this.from + (context.currentTime - this.began) * this.speed;
-    const running = this.playing.size > 0 || this.busy;
-    if (!running || speed !== this.speed || Math.abs(heard - position) > kSlack * Math.max(1, speed)) {
+    if (this.playing.size === 0 || speed !== this.speed || Math.abs(heard - position) > kSlack * Math.max(1, speed)) {
       this.silence();
       this.speed = speed;
       this.from = this.scheduled = position;
       this.began = context.currentTime;
     }
-    if (!this.busy && this.scheduled < position + kAhead * speed) void this.schedule(context, this.voice);
+    if (this.scheduled < position + kAhead * speed) void this.schedule(context, this.voice);
   }
 
   silence(): void {

@@ -70,9 +70,11 @@ export function Spectrogram({ track, mics, onWish, listen }: Props) {
         <SideSelect label={t("left")} value={above} onChange={setAbove} />
         <SideSelect label={t("right")} value={below} onChange={setBelow} />
         {(above === "raw" || below === "raw") && mics > 1 && (
-          <select value={String(mic)} aria-label={t("mic")} onChange={(event) => setMic(Number(event.currentTarget.value))}>
-            {Array.from({ length: mics }, (_, i) => <option key={i} value={String(i + 1)}>{t("raw", { n: i + 1 })}</option>)}
-          </select>
+          <span class="inline-field">
+            <select value={String(mic)} aria-label={t("mic")} onChange={(event) => setMic(Number(event.currentTarget.value))}>
+              {Array.from({ length: mics }, (_, i) => <option key={i} value={String(i + 1)}>{t("raw", { n: i + 1 })}</option>)}
+            </select>
+          </span>
         )}
         <label class="inline-field">
           <span>{t("floor")}</span>
