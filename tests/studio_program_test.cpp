@@ -111,6 +111,7 @@ TEST(StudioProgram, shows_a_session_wherever_its_file_lies) {
   {
     StudioDaemon daemon(demo(scratch));
     ASSERT_NE(daemon.port(), 0) << daemon.said();
+    ASSERT_TRUE(eventually([&] { return http_get(daemon.port(), "/healthz").status == 200; }));
     WebClient client(daemon.port());
     client.send(R"({"id":1,"method":"record.start","params":{"what":"session"}})");
     name = next(client, "reply").at("result").at("name");
