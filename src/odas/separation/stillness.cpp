@@ -37,8 +37,9 @@ void Stillness::update(std::span<const Track> tracks) noexcept {
   for (std::size_t s = 0; s < places_.size(); ++s) {
     Place& place = places_[s];
     const Vec3 direction = tracks[s].direction;
+    if (!std::isfinite(norm(direction))) continue;
     if (place.id != tracks[s].id) place = {tracks[s].id, direction, direction};
-    if (place.id == 0 || !std::isfinite(norm(direction))) continue;
+    if (place.id == 0) continue;
     place.now = place.now + std::min(hop_seconds_ / kNowSeconds, 1.F) * (direction - place.now);
     place.before = place.before + std::min(hop_seconds_ / kBeforeSeconds, 1.F) * (direction - place.before);
     if (walks(place)) seconds_ = 0;

@@ -64,7 +64,7 @@ TEST_F(StillnessTest, AnotherInTheSamePlaceHasNotWalked) {
 
 TEST_F(StillnessTest, ADirectionThatIsNotFiniteIsPassedOver) {
   after(stillness, 1, [](float) { return Vec3{std::nanf(""), 0, 0}; });
-  EXPECT_EQ(after(stillness, 1, stander), kForever);
+  EXPECT_LT(after(stillness, 3, walker), 0.5F);
   stillness.reset();
   after(stillness, 0.1F, stander);
   after(stillness, 0.1F, [](float) { return Vec3{kForever, 0, 0}; });
