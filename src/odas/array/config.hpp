@@ -58,4 +58,9 @@ struct GeneralConfig {
   static Schema schema();
 };
 
+/// From one hop to the next, s.
+[[nodiscard]] inline float hop_seconds_of(const GeneralConfig& general) noexcept {
+  return static_cast<float>(general.size.hop_size) / static_cast<float>(general.samplerate.mu);
+}
+
 }  // namespace odas

@@ -14,10 +14,6 @@ std::size_t frame_size(const GeneralConfig& general) {
   return static_cast<std::size_t>(general.size.frame_size) / 2 * 2;
 }
 
-float hop_s(const GeneralConfig& general) {
-  return static_cast<float>(general.size.hop_size) / static_cast<float>(general.samplerate.mu);
-}
-
 float bin_hz(const GeneralConfig& general) {
   return static_cast<float>(general.samplerate.mu) / static_cast<float>(frame_size(general));
 }
@@ -82,9 +78,9 @@ SrpClean::SrpClean(const GeneralConfig& general, const SslConfig& ssl)
     : plan_(general, ssl),
       table_(frame_size(general), ssl.interp_rate, plan_.half_lags),
       pattern_table_(frame_size(general), ssl.interp_rate, 2 * plan_.half_lags + 1),
-      gate_(general.mics.size(), table_.bins(), hop_s(general), bin_hz(general)),
+      gate_(general.mics.size(), table_.bins(), hop_seconds_of(general), bin_hz(general)),
       diffuse_(general, plan_.pairs, table_, bin_hz(general)),
-      new_share_(ssl.averaging > 0 ? 1 - std::exp(-1000 * hop_s(general) / ssl.averaging) : 1),
+      new_share_(ssl.averaging > 0 ? 1 - std::exp(-1000 * hop_seconds_of(general) / ssl.averaging) : 1),
       re_(general.mics.size(), padded(table_.bins())),
       im_(re_.rows(), re_.cols()),
       now_(plan_.pairs.size(), plan_.row_size),

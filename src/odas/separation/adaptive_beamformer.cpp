@@ -77,8 +77,7 @@ AdaptiveBeamformer::AdaptiveBeamformer(Criterion criterion, const AdaptiveConfig
       mics_(general.mics.size()),
       bins_(static_cast<std::size_t>(general.size.frame_size) / 2 + 1),
       every_(4 * general.size.hop_size <= general.size.frame_size ? 2 : 1),
-      seconds_(static_cast<float>(every_) * static_cast<float>(general.size.hop_size) /
-               static_cast<float>(general.samplerate.mu)),
+      seconds_(static_cast<float>(every_) * hop_seconds_of(general)),
       share_step_(step_of(config.memory)),
       least_(std::pow(10.F, config.white_noise_gain / 10)),
       steering_(general),
@@ -163,9 +162,10 @@ void AdaptiveBeamformer::hear(GridView<const cfloat> spectra) noexcept {
     smooth_[k] += (smooth_[k] > 0 ? kFloorStep : 1.F) * (power_[k] - smooth_[k]);
     floor_[k] = floor_[k] > 0 ? std::min(smooth_[k], floor_[k] * kFloorRise) : smooth_[k];
   }
-  for (std::size_t m = 0; m < mics_; ++m) { x_.set_row(m, spectra[m]); }
+  for (std::size_t m = 0; m < mics_; ++m) x_.set_row(m, spectra[m]);
   for (std::size_t k = 0; k < bins_; ++k) {
-    for (std::size_t m = 0; finite_[k] == 0 && m < mics_; ++m) x_.set(m, k, {});
+    if (finite_[k] > 0) continue;
+    for (std::size_t m = 0; m < mics_; ++m) x_.set(m, k, {});
   }
 }
 

@@ -18,10 +18,6 @@ constexpr float kTrustSeconds = 0.1F;
 
 float step(float hop_seconds, float seconds) noexcept { return 1 - std::exp(-hop_seconds / seconds); }
 
-float hop_seconds_of(const GeneralConfig& general) noexcept {
-  return static_cast<float>(general.size.hop_size) / static_cast<float>(general.samplerate.mu);
-}
-
 }  // namespace
 
 float log_spectral_gain(float v) noexcept {

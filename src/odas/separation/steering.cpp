@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 
+#include "odas/array/geometry.hpp"
 #include "odas/base/contract.hpp"
 
 namespace odas {
@@ -27,7 +28,7 @@ Steering::Steering(const GeneralConfig& general)
                          (general.size.frame_size * static_cast<double>(general.speedofsound.mu))),
       gain_min_(general.gain_min),
       directivity_(general) {
-  for (const MicConfig& mic : general.mics) positions_.push_back({mic.mu[0], mic.mu[1], mic.mu[2]});
+  for (const MicConfig& mic : general.mics) positions_.push_back(position(mic));
 }
 
 void Steering::gains(Vec3 u, std::span<float> gains) const noexcept {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "odas/array/geometry.hpp"
+
 namespace odas {
 namespace {
 
@@ -16,11 +18,10 @@ constexpr float kFar = 0.12F;
 }  // namespace
 
 Stillness::Stillness(const GeneralConfig& general, std::size_t slots)
-    : hop_seconds_(static_cast<float>(general.size.hop_size) / static_cast<float>(general.samplerate.mu)),
-      places_(slots) {
+    : hop_seconds_(hop_seconds_of(general)), places_(slots) {
   Vec3 centre;
   for (const MicConfig& mic : general.mics) {
-    positions_.push_back({mic.mu[0], mic.mu[1], mic.mu[2]});
+    positions_.push_back(position(mic));
     centre = centre + (1 / static_cast<float>(general.mics.size())) * positions_.back();
   }
   float radius = 0;
