@@ -27,6 +27,7 @@ struct Vec3 {
 }
 
 inline constexpr float kPi = 3.14159265358979323846F;
+inline constexpr double kDegree = 3.14159265358979323846 / 180;  // in radians
 [[nodiscard]] constexpr float degrees(float radians) noexcept { return radians * (180 / kPi); }
 [[nodiscard]] constexpr float radians(float degrees) noexcept { return degrees * (kPi / 180); }
 

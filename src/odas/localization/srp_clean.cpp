@@ -21,6 +21,9 @@ float bin_hz(const GeneralConfig& general) {
 constexpr std::array<Pair, 1> kSelf{{{0, 0}}};  // a channel with itself: the pattern of a plane wave
 
 constexpr float kLeastEvidence = -6;
+// As many times sooner a hop in which every bin were clear would be in the average. Half of all is seldom
+// clear; of a talker nearby a tenth is.
+constexpr float kClearer = 60;
 // After a potential of so little evidence no more are searched: they would have less.
 constexpr float kNothing = -2;
 
@@ -41,7 +44,7 @@ float evidence(float energy, float strongest, float share, float hops) noexcept 
   const float persistence = 1.2F * std::log(std::max(hops, 1.F) / 6);
   const float first = 11.3F + 1.36F * log_energy + persistence + 2.5F * crowd;
   const float later =
-      8.0F + 0.65F * log_energy + 1.75F * std::log(energy / strongest) + persistence + 1.2F * crowd;
+      7.6F + 0.65F * log_energy + 1.4F * std::log(energy / strongest) + persistence + 1.2F * crowd;
   return std::clamp(energy < strongest ? std::min(first, later) : first, kLeastEvidence, kMost);
 }
 
@@ -80,7 +83,7 @@ SrpClean::SrpClean(const GeneralConfig& general, const SslConfig& ssl)
       pattern_table_(frame_size(general), ssl.interp_rate, 2 * plan_.half_lags + 1),
       gate_(general.mics.size(), table_.bins(), hop_seconds_of(general), bin_hz(general)),
       diffuse_(general, plan_.pairs, table_, bin_hz(general)),
-      new_share_(ssl.averaging > 0 ? 1 - std::exp(-1000 * hop_seconds_of(general) / ssl.averaging) : 1),
+      hops_averaged_(ssl.averaging / (1000 * hop_seconds_of(general))),
       re_(general.mics.size(), padded(table_.bins())),
       im_(re_.rows(), re_.cols()),
       now_(plan_.pairs.size(), plan_.row_size),
@@ -144,16 +147,18 @@ void SrpClean::average() noexcept {
   lag_products(re_, im_, plan_.pairs, table_, clear_, scratch_, now_);
   diffuse_.subtract(gate_.diffuse(), table_, clear_, scratch_, now_);
   lag_products(root_, nothing_, kSelf, pattern_table_, clear_, scratch_, pattern_now_);
-  const auto mix = [this](std::span<float> kept, std::span<const float> heard) {
-    for (std::size_t n = 0; n < kept.size(); ++n) kept[n] += new_share_ * (heard[n] - kept[n]);
+  const float clear = pattern_now_[0][pattern_table_.half_lags()];
+  const float share = hops_averaged_ > 0 ? 1 - std::exp(-(1 + kClearer * clear) / hops_averaged_) : 1;
+  const auto mix = [share](std::span<float> kept, std::span<const float> heard) {
+    for (std::size_t n = 0; n < kept.size(); ++n) kept[n] += share * (heard[n] - kept[n]);
   };
   for (std::size_t q = 0; q < now_.rows(); ++q) {
     mix(averaged_[q], now_[q]);
     std::copy(averaged_[q].begin(), averaged_[q].end(), rest_[q].begin());
   }
   mix(pattern_[0], pattern_now_[0]);
-  const float added = new_share_ * pattern_now_[0][pattern_table_.half_lags()];
-  squares_ = (1 - new_share_) * (1 - new_share_) * squares_ + added * added;
+  const float added = share * clear;
+  squares_ = (1 - share) * (1 - share) * squares_ + added * added;
 }
 
 void SrpClean::subtract(const PeakFit::Fit& fit, std::span<const std::uint8_t> heard) noexcept {

@@ -57,7 +57,7 @@ class SrpClean final : public Localizer {
   LagTable table_, pattern_table_;
   OnsetGate gate_;
   DiffuseField diffuse_;
-  float new_share_;             // a
+  float hops_averaged_;         // averaging / hop
   Grid<float> re_, im_;         // [mic][bin, padded]: sqrt(g) phi
   Grid<float> now_;             // [pair][column]: of this hop
   Grid<float> averaged_;        // [pair][column]

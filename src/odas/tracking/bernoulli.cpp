@@ -11,35 +11,30 @@
 namespace odas {
 namespace {
 
-// Talkers and rooms, by docs/tracking.md.
-constexpr double kIndependent = 0.064;                     // s between two observations that tell anew
-constexpr double kFound = 0.8;                             // a source that sounds is among the potentials
-constexpr double kNew = 0.05;                              // prior of a new source, to that of none
-constexpr double kFallsSilent = 0.5, kSpeaks = 0.5;        // s, means: until a voice pauses, and is back
-constexpr double kOpens = 0.3;                             // evidence of a potential that opens a candidate
-constexpr double kConfirmed = 1.5, kLed = 1.5;             // nats: all evidence, and of hops that it led
-constexpr double kConfirmedUnled = 4;                      // all evidence of who did not lead
-constexpr double kConfirmedBeside = 9.5, kLedBeside = 8;   // of who is beside a track
-constexpr double kBehind = 1.2;                            // nats; louder by less is not louder
-constexpr double kGivenUp = -1.2;                          // of a candidate
-constexpr double kLost = -4;                               // of one that was confirmed
-constexpr double kMost = 10;                               // evidence is not counted beyond
-constexpr double kPatience = 0.3;                          // s of silence, at least
-constexpr double kEarned = 0.03, kEarnedAlone = 0.1;       // s more for each nat of its strength
-constexpr double kAlone = 45 * std::numbers::pi / 180;     // of azimuth: no other track is as near
-constexpr double kSamePlace = 8 * std::numbers::pi / 180;  // of azimuth: nearer than two people stand
-constexpr double kBeside = 25 * std::numbers::pi / 180;    // of azimuth: where a talker's reflections are
-constexpr double kMine = 2;  // as much likelier than another's an observation is when it moves a track
-constexpr double kEchoes = 40 * std::numbers::pi / 180;  // of elevation, floor and ceiling from their talker
-constexpr double kGoesOn = 1;                            // s of silence in which who walks walks on
-constexpr double kPause = 0.1, kPace = 30 * std::numbers::pi / 180;  // s, rad/s of somebody who walks by
-constexpr double kLess = 0.5, kLessNear = 1.5, kLessOld = 0.6;
+// Talkers and rooms: docs/tracking.md says how they were chosen.
+constexpr double kIndependent = 0.064;               // s between two observations that tell anew
+constexpr double kFound = 0.63;                      // a source that sounds is among the potentials
+constexpr double kNew = 0.02;                        // prior of a new source, to that of none
+constexpr double kFallsSilent = 0.3, kSpeaks = 0.4;  // s, means: until a voice pauses, and is back
+constexpr double kOpens = 0.73;                      // evidence of a potential that opens a candidate
+constexpr double kGivenUp = -0.8;                    // nats, of a candidate
+constexpr double kMost = 7;                          // nats; evidence is not counted beyond
+constexpr double kConfirmed = 0.8, kSure = 5;        // nats: of hops that it led; of all hops, at most
+constexpr double kBeside = 60;                       // nats more of hops that it led, beside a track,
+constexpr double kReflects = 14.3 * kDegree;         // of azimuth, and how far off that fades
+constexpr double kPatience = 0.18;                   // s of silence, at least
+constexpr double kEarned = 0.2;                      // s more for each nat of its strength, if alone
+constexpr double kAlone = 68 * kDegree;              // of azimuth: other tracks are farther off than that
+constexpr double kForgotten = 3.6;                   // s: strength is of late
+constexpr double kPasses = 27 * kDegree;             // of azimuth: who walks by hides others
+constexpr double kMine = 1.35;  // as much likelier than another's an observation is when it moves a track
+constexpr double kEchoes = 40 * kDegree;  // of elevation, floor and ceiling from their talker
+constexpr double kGoesOn = 0.73;          // s of silence in which who walks walks on
+constexpr double kPause = 0.11, kPace = 30 * kDegree, kFarthest = 28 * kDegree;  // s, rad/s: where to by then
 // Speech swells and fades: the deviation of ln E over two seconds is 1, of a fan or a motor 0.45.
-constexpr double kLoudness = 2;   // s
-constexpr double kSteady = 0.55;  // deviation; less of it does not speak
-constexpr float kBesideCosine = 0.87F;
-constexpr float kBlur2East = 0.002F, kBlur2North = 0.008F;
-constexpr double kSoon = 1, kOverlap = 0.3, kLongOverlap = 3;  // s
+constexpr double kLoudness = 2;                                // s
+constexpr double kSteady = 0.6;                                // deviation; less of it does not speak
+constexpr double kSoon = 1, kOverlap = 0.1, kLongOverlap = 4;  // s
 
 /// Nearer than two people stand. Where elevation is worse heard than azimuth, what floor and ceiling send
 /// back, at the azimuth of their talker, is in one place with them.
@@ -47,11 +42,6 @@ bool one_place(Walker::Offset apart, TangentCovariance blur) {
   const double echoes = blur.north > 2 * blur.east ? kEchoes : kSamePlace;
   return std::abs(apart.east) < kSamePlace &&
          std::abs(apart.north) < echoes + 3.5 * std::sqrt(static_cast<double>(blur.north));
-}
-
-double azimuth_between(Vec3 a, Vec3 b) {
-  return std::abs(
-      std::atan2(static_cast<double>(a.x * b.y - a.y * b.x), static_cast<double>(a.x * b.x + a.y * b.y)));
 }
 
 double sigmoid(double x) { return 1 / (1 + std::exp(-x)); }
@@ -64,8 +54,7 @@ BernoulliTracker::BernoulliTracker(const SstConfig& config, const TrackerContext
       dt_(context.hop_seconds),
       own_share_(std::min(context.hop_seconds / kIndependent, 1.0)),
       diffuse_(1 / (4 * std::numbers::pi * context.heard_share)),
-      active_(config.active),
-      inactive_(config.inactive),
+      model_(config),
       slots_(config.slots(), Source(Walker(context.hop_seconds))),
       candidates_(2 * context.potentials, Source(Walker(context.hop_seconds))),
       links_(slots_.size() + candidates_.size(), context.potentials),
@@ -106,7 +95,8 @@ void BernoulliTracker::clear(Source& source) noexcept {
 void BernoulliTracker::update(std::span<const Potential> potentials, std::span<Track> tracks) noexcept {
   ODAS_EXPECT(tracks.size() == slots_.size());
   follow_targets();
-  take(potentials);
+  ODAS_EXPECT(potentials.size() <= links_.cols());
+  model_.take(potentials, heard_);
   associate();
   for_each_live([&](Source& source, std::span<const Link> links) { follow(source, links); });
   departed_.age();
@@ -136,49 +126,6 @@ void BernoulliTracker::for_each_live(Action&& action) noexcept {
   }
 }
 
-/// Only what is sound, and with what the localizer did not tell.
-void BernoulliTracker::take(std::span<const Potential> potentials) noexcept {
-  ODAS_EXPECT(potentials.size() <= links_.cols());
-  heard_.clear();
-  for (const Potential& potential : potentials) {
-    const float length = norm(potential.direction);
-    if (!std::isfinite(length) || !(length > 0) || !std::isfinite(potential.energy)) continue;
-    Heard heard;
-    heard.direction = normalized(potential.direction);
-    heard.covariance = potential.covariance;
-    heard.covariance.east += kBlur2East;
-    heard.covariance.north += kBlur2North;
-    double evidence = static_cast<double>(potential.evidence);
-    if (!(potential.covariance.east > 0)) {
-      const auto energy = static_cast<double>(potential.energy);
-      evidence = active_.log_density(energy) - inactive_.log_density(energy);
-      heard.covariance = {config_.sigma_r2_active, config_.sigma_r2_active, 0};
-    } else if (potential.energy > 0) {
-      heard.loudness = std::log(static_cast<double>(potential.energy));
-    }
-    if (!std::isfinite(evidence)) continue;
-    constexpr double kSurest = 12;
-    heard.ratio = std::exp(std::clamp(evidence, -kSurest, kSurest));
-    heard_.push_back(heard);
-  }
-  for (Heard& heard : heard_) {
-    double less = 0;
-    double behind = 0;
-    for (const Heard& louder : heard_) {
-      if (louder.ratio <= heard.ratio) continue;
-      const double louder_by = std::log(louder.ratio / heard.ratio);
-      const bool is_near = dot(louder.direction, heard.direction) > kBesideCosine;
-      less = std::max(less, (is_near ? kLessNear : kLess) * louder_by);
-      if (azimuth_between(louder.direction, heard.direction) > kSamePlace)
-        behind = std::max(behind, louder_by);
-    }
-    heard.leads = behind < kBehind;
-    heard.new_ratio = heard.ratio * std::exp(-less);
-    heard.old_ratio = heard.ratio * std::exp(-kLessOld * less);
-    heard.pull = heard.old_ratio / (1 + heard.old_ratio);
-  }
-}
-
 void BernoulliTracker::follow_targets() noexcept {
   for (Source& source : slots_) {
     if (source.stage == Stage::target && targets_.find(source.tag) == nullptr) clear(source);
@@ -202,7 +149,7 @@ void BernoulliTracker::follow_targets() noexcept {
 }
 
 void BernoulliTracker::associate() noexcept {
-  for (Heard& heard : heard_) heard.others = diffuse_ * (1 + kNew * heard.old_ratio);
+  for (Observation& heard : heard_) heard.others = diffuse_ * (1 + kNew * heard.old_ratio);
   for_each_live([&](Source& source, std::span<Link> links) {
     if (source.stage != Stage::target) source.walker.predict(source.silent_hops * dt_ < kGoesOn);
     const double off = std::min(dt_ / kFallsSilent, 0.5);
@@ -235,7 +182,7 @@ void BernoulliTracker::follow(Source& source, std::span<const Link> links) noexc
   const bool is_candidate = source.stage == Stage::candidate;
   for (std::size_t s = 0; s < links.size(); ++s) {
     const Link& link = links[s];
-    const Heard& heard = heard_[s];
+    const Observation& heard = heard_[s];
     const double taken = is_candidate ? heard.seen : heard.seen - link.share;
     const double here = kFound * link.fit.density / link.fit.peak * std::clamp(1 - taken, 0.0, 1.0);
     silent *= 1 - link.share;
@@ -263,9 +210,14 @@ void BernoulliTracker::follow(Source& source, std::span<const Link> links) noexc
   const double gain = own_share_ * std::log(1 - before + before * is_there);
   source.evidence = std::min(source.evidence + gain, kMost);
   source.strength += own_share_ * std::max(std::log(leads), 0.0);
+  if (source.stage == Stage::seen) source.strength -= std::min(dt_ / kForgotten, 1.0) * source.strength;
   const double odds = std::log(std::max(source.sounding, 1e-9) / std::max(1 - source.sounding, 1e-9));
   source.sounding = std::clamp(sigmoid(odds + own_share_ * std::log(sounds)), 1e-3, 1 - 1e-3);
-  source.silent_hops = source.sounding > 0.5 ? 0 : source.silent_hops + 1;
+  if (source.sounding > 0.5) {
+    source.silent_hops = 0;
+  } else if (!is_passed(source)) {
+    ++source.silent_hops;
+  }
   ++source.age;
 }
 
@@ -310,11 +262,24 @@ void BernoulliTracker::merge() noexcept {
   }
 }
 
-bool BernoulliTracker::has_neighbour(const Source& source, double azimuth, const Source* but) const noexcept {
-  return std::any_of(slots_.begin(), slots_.end(), [&](const Source& other) {
-    return &other != &source && &other != but && other.stage != Stage::free &&
-           azimuth_between(other.walker.direction(), source.walker.direction()) < azimuth;
-  });
+/// Of azimuth, to the nearest other track.
+double BernoulliTracker::distance_to_others(const Source& source, const Source* but) const noexcept {
+  double nearest = std::numbers::pi;
+  for (const Source& other : slots_) {
+    if (&other == &source || &other == but || other.stage == Stage::free) continue;
+    nearest = std::min(nearest, azimuth_between(other.walker.direction(), source.walker.direction()));
+  }
+  return nearest;
+}
+
+/// Somebody walks past, and while they are in one place the louder one is heard.
+bool BernoulliTracker::is_passed(const Source& source) const noexcept {
+  constexpr double kSurely = 0.7;
+  return source.stage == Stage::seen && std::any_of(slots_.begin(), slots_.end(), [&](const Source& other) {
+           return &other != &source && other.stage == Stage::seen &&
+                  std::max(other.walker.walking(), source.walker.walking()) > kSurely &&
+                  azimuth_between(other.walker.direction(), source.walker.direction()) < kPasses;
+         });
 }
 
 void BernoulliTracker::bury() noexcept {
@@ -332,11 +297,11 @@ void BernoulliTracker::bury() noexcept {
       continue;
     }
     // Near another it may be what is left of one that the other follows now.
-    const bool alone = !has_neighbour(source, kAlone);
-    const double earned =
-        (kPatience + (alone ? kEarnedAlone : kEarned) * source.strength) / std::max(dt_, 1e-6);
+    const double near = distance_to_others(source) / kAlone;
+    const double alone = 1 - std::exp(-near * near);
+    const double earned = (kPatience + kEarned * alone * source.strength) / std::max(dt_, 1e-6);
     const double patience = std::min(earned, static_cast<double>(config_.patience(living)));
-    if (source.silent_hops < patience && source.evidence > kLost) continue;
+    if (source.silent_hops < patience) continue;
     departed_.add(source.id, source.walker.direction(), t);
     clear(source);
   }
@@ -355,17 +320,16 @@ void BernoulliTracker::hide(Source& source) noexcept {
   clear(source);
 }
 
-/// A reflection is seldom louder than its talker, never for long, and mostly beside him: who has not led the
-/// hops needs more evidence, and beside a track it takes more of both; but who walked on is not beside
+/// A reflection is seldom louder than its talker, never for long, and mostly beside him: hops count that
+/// nothing else led, and the nearer to a track the more of them it takes. But who walked on is not beside
 /// himself.
 void BernoulliTracker::confirm() noexcept {
   for (Source& candidate : candidates_) {
     if (candidate.stage == Stage::free || is_steady(candidate)) continue;
-    const bool beside = has_neighbour(candidate, kBeside, walked_on(candidate));
-    const bool led = candidate.strength >= (beside ? kLedBeside : kLed);
-    const bool is_there = beside ? led && candidate.evidence >= kConfirmedBeside
-                                 : candidate.evidence >= (led ? kConfirmed : kConfirmedUnled);
-    if (is_there) show(candidate);
+    const double apart = distance_to_others(candidate, walked_on(candidate));
+    const double needed = kConfirmed + kBeside * std::exp(-apart / kReflects);
+    const bool led = candidate.strength >= needed && candidate.evidence >= std::min(needed, kSure);
+    if (led || (apart > kAlone && candidate.evidence >= kMost)) show(candidate);
   }
 }
 
@@ -377,7 +341,7 @@ BernoulliTracker::Source* BernoulliTracker::walked_on(const Source& candidate) n
     return source.stage == Stage::seen && silence >= kPause && source.walker.walking() > 0.5 &&
            ahead * source.walker.turning() > 0 &&
            azimuth_between(source.walker.direction(), candidate.walker.direction()) <
-               std::min(kSamePlace + kPace * silence, kBeside);
+               std::min(kSamePlace + kPace * silence, kFarthest);
   };
   const auto source = std::find_if(slots_.begin(), slots_.end(), is_it);
   return source == slots_.end() ? nullptr : &*source;
@@ -408,7 +372,7 @@ void BernoulliTracker::show(Source& candidate) noexcept {
 }
 
 void BernoulliTracker::open() noexcept {
-  for (const Heard& heard : heard_) {
+  for (const Observation& heard : heard_) {
     if (heard.known > 0.5 || heard.new_ratio < std::exp(kOpens)) continue;
     const auto place = std::find_if(candidates_.begin(), candidates_.end(),
                                     [](const Source& s) { return s.stage == Stage::free; });

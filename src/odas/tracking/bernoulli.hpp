@@ -7,7 +7,7 @@
 #include "odas/base/grid.hpp"
 #include "odas/tracking/config.hpp"
 #include "odas/tracking/departed.hpp"
-#include "odas/tracking/energy_mixture.hpp"
+#include "odas/tracking/observation_model.hpp"
 #include "odas/tracking/tracker.hpp"
 #include "odas/tracking/walker.hpp"
 
@@ -62,18 +62,6 @@ class BernoulliTracker final : public Tracker {
     int silent_hops = 0;
     int covered_hops = 0;  // in which an older one stood in the same place
   };
-  struct Heard {
-    Vec3 direction{};
-    TangentCovariance covariance{};
-    double loudness = 0;  // ln E; 0: not told
-    double ratio = 1;     // exp(evidence)
-    double new_ratio = 1, old_ratio = 1, pull = 1;
-    bool leads = false;   // nothing elsewhere is louder
-    double seen_fit = 0;  // density of sources that are seen, whether they sound or not
-    double others = 0;    // density of all its hypotheses together
-    double seen = 0;      // probability that it comes of a source that is seen, or a target
-    double known = 0;     // or of a candidate
-  };
   /// Of a source and a potential.
   struct Link {
     Walker::Offset offset{};
@@ -84,16 +72,14 @@ class BernoulliTracker final : public Tracker {
 
   template <class Action>
   void for_each_live(Action&& action) noexcept;  // action(source, its links)
-  void take(std::span<const Potential> potentials) noexcept;
   void follow_targets() noexcept;
   void associate() noexcept;
   void follow(Source& source, std::span<const Link> links) noexcept;
   void listen(Source& source, std::span<const Link> links) const noexcept;
   [[nodiscard]] static bool is_steady(const Source& source) noexcept;
   void merge() noexcept;
-  /// Among the tracks, nearer than `azimuth` (rad).
-  [[nodiscard]] bool has_neighbour(const Source& source, double azimuth,
-                                   const Source* but = nullptr) const noexcept;
+  [[nodiscard]] double distance_to_others(const Source& source, const Source* but = nullptr) const noexcept;
+  [[nodiscard]] bool is_passed(const Source& source) const noexcept;
   void bury() noexcept;
   void hide(Source& source) noexcept;
   void confirm() noexcept;
@@ -106,10 +92,10 @@ class BernoulliTracker final : public Tracker {
   SstConfig config_;
   bool dynamic_;
   double dt_, own_share_, diffuse_;
-  EnergyMixture active_, inactive_;
+  ObservationModel model_;
   std::vector<Source> slots_, candidates_;
-  std::vector<Heard> heard_;  // of this hop; as many as are sound
-  Grid<Link> links_;          // [slots, then candidates][potential]
+  std::vector<Observation> heard_;  // of this hop; as many as are sound
+  Grid<Link> links_;                // [slots, then candidates][potential]
   std::uint64_t last_id_ = 0;
   Departed departed_;
   TargetList first_targets_, targets_;

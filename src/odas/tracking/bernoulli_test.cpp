@@ -88,7 +88,7 @@ TEST(Bernoulli, makes_no_track_of_what_stays_of_a_stronger_talker_beside_it) {
 
 TEST(Bernoulli, believes_later_in_who_is_never_the_loudest) {
   Heard led;
-  led.hops(10, {{30, 20, 6}, {150, 20, 5.5F}});
+  led.hops(10, {{30, 20, 6}, {150, 20, 5.7F}});
   EXPECT_NE(led.id_at(150), 0U);
   Heard behind;
   behind.hops(10, {{30, 20, 6}, {150, 20, 4}});
@@ -143,7 +143,7 @@ TEST(Bernoulli, knows_who_walked_on_in_a_pause_faster_than_before) {
   const std::uint64_t id = run.id_at(-24);
   ASSERT_NE(id, 0U);
   run.hops(75, {});
-  run.hops(8, {{0, 20, 5}});  // as soon as anybody, though his track is beside
+  run.hops(12, {{0, 20, 5}});  // as soon as anybody, though his track is beside
   EXPECT_EQ(run.id_at(0), id);
   EXPECT_EQ(run.living(), 1);
 }

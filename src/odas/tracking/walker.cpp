@@ -8,17 +8,16 @@
 namespace odas {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double square(double x) { return x * x; }
 
 // Of people in rooms, 1 to 4 m away. None of them is critical: half or twice of it costs little.
-constexpr double kDrift2 = square(0.5 * kDegree);     // rad^2/s of one who stands: the head, the weight
-constexpr double kTurning2 = square(10 * kDegree);    // (rad/s)^2 around the array, of one who walks
-constexpr double kRising2 = square(4 * kDegree);      // (rad/s)^2 up and down
-constexpr double kKeepsHeading = 10;                  // s
-constexpr double kStands = 4, kWalks = 10;            // s, mean
-constexpr double kOutlier = 0.1, kOutlierSpread = 9;  // share of outliers, and their variance
-constexpr float kPolar = 0.94F;                       // sine of 70 degrees
+constexpr double kDrift2 = square(0.25 * kDegree);      // rad^2/s of one who stands: the head, the weight
+constexpr double kTurning2 = square(16 * kDegree);      // (rad/s)^2 around the array, of one who walks
+constexpr double kRising2 = square(3.8 * kDegree);      // (rad/s)^2 up and down
+constexpr double kKeepsHeading = 12;                    // s
+constexpr double kStands = 4.2, kWalks = 15;            // s, mean
+constexpr double kOutlier = 0.1, kOutlierSpread = 3.4;  // share of outliers, and their variance
+constexpr float kPolar = 0.94F;                         // sine of 70 degrees
 
 }  // namespace
 
@@ -144,7 +143,7 @@ void Walker::observe(Offset offset, const TangentCovariance& noise, double weigh
                     model.east.observe(offset.east, static_cast<double>(noise.east), weight) +
                     model.north.observe(offset.north, static_cast<double>(noise.north), weight);
   }
-  constexpr double kLeast = 0.02;  // neither model is ever given up
+  constexpr double kLeast = 0.0125;  // neither model is ever given up
   const double walks = 1 / (1 + std::exp(std::clamp(log_weight[0] - log_weight[1], -30.0, 30.0)));
   models_[1].weight = std::clamp(walks, kLeast, 1 - kLeast);
   models_[0].weight = 1 - models_[1].weight;
