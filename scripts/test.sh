@@ -13,11 +13,13 @@ run_ctest() { ctest --test-dir "$1" --output-on-failure --no-tests=error -j "$jo
 # Hundreds of passed tests say nothing; the others and the counts do.
 quiet() { grep -vE "^ *[0-9]+/[0-9]+ Test .* Passed |^ *Start +[0-9]+: |^Internal ctest|^Test project" || true; }
 
-# Tests wait more than they work: those of one build run while the next is compiled. `settle` shows what they said.
+# Tests wait more than they work: those of one build after another's run while the next is compiled, and come first
+# where both want a core. `settle` shows what they say.
+compile() { nice -n 5 cmake --build "$@"; }
 running=() said=$(mktemp -d)
 trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$said"' EXIT
 meanwhile() {
-  "$@" >"$said/$1" 2>&1 &
+  { flock 9 && "$@" 9>&-; } 9>"$said/one at a time" >"$said/$1" 2>&1 &
   running+=("$1:$!")
 }
 settle() {
@@ -25,8 +27,8 @@ settle() {
   for job in "${running[@]}"; do
     name=${job%:*}
     step "what ${name//_/ } said"
+    tail -n +1 -f --pid="${job#*:}" "$said/$name"
     wait "${job#*:}" || status=$?
-    cat "$said/$name"
   done
   running=()
   return "$status"
@@ -35,7 +37,7 @@ settle() {
 asan() {
   step "clang 14 builds everything; ASan and UBSan watch all tests"
   cmake --preset asan-ubsan -DODAS_BUILD_BENCHES=OFF >/dev/null
-  cmake --build build-asan-ubsan
+  compile build-asan-ubsan
   meanwhile asan_tests
 }
 asan_tests() {
@@ -45,7 +47,7 @@ asan_tests() {
 tsan() {
   step "TSan watches base, engine and io"
   cmake --preset tsan -DODAS_BUILD_BENCHES=OFF -DODAS_WITH_STUDIO=OFF >/dev/null
-  cmake --build build-tsan --target base_test engine_test io_test
+  compile build-tsan --target base_test engine_test io_test
   meanwhile tsan_tests
 }
 tsan_tests() {
@@ -58,7 +60,7 @@ arm64() {
   step "odas_core for arm64; its tests run under qemu"
   scripts/install_packages.sh arm64
   cmake --preset arm64 >/dev/null
-  cmake --build build-arm64
+  compile build-arm64
   meanwhile arm64_tests
 }
 arm64_tests() { run_ctest build-arm64; }
@@ -85,19 +87,21 @@ soak() {
   cmake --build build
   ODAS_SOAK=1 run_ctest build -L soak
   export ODAS_SOAK=1
-  web sound
+  page sound
 }
 
 check() {
   step "release build with g++; all tests, and the checks of the tree"
   cmake --preset release -DODAS_BUILD_TESTS=ON >/dev/null
-  cmake --build build
-  settle
-  run_ctest build
+  compile build
+  meanwhile release_tests
 }
+release_tests() { run_ctest build; }
 
-# Of the programs it needs a build that is there: `check`, or `make`. With words: only such test files.
-web() {
+# Of the programs it needs a build that is there: `check`, or `make`.
+web() { meanwhile page; }
+# With words: only such test files.
+page() {
   step "the Studio's page: types, units, its bundle, and all of it in chromium"
   local status=0
   scripts/test_web.sh "$@" || status=$?

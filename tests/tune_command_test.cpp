@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `odas tune` on rooms whose truth is known.
 #include <algorithm>
+#include <memory>
 #include <sstream>
 
 #include "support/program.hpp"
@@ -24,30 +25,38 @@ constexpr const char* kTracking = "ssl: { weighting = \"snr\"; };\nsst: { N_prob
 
 class Tune : public ::testing::Test {
  protected:
-  void SetUp() override {
-    test::write_file(config(), kArray);
-    test::write_file(scratch_ / "tracking.cfg", kTracking);
+  // Made once: nothing that is tested changes what is heard.
+  static void SetUpTestSuite() {
+    heard_ = std::make_unique<test::Scratch>();
+    write_config(*heard_);
     simulate("silence", "", 1);
     // The sample's talkers as one voice with pauses, in a little room with echoes.
     simulate("talk", R"(, "sources": [ { "speech": ")" ODAS_SOURCE_DIR R"(/samples/sample_4mic.flac",
       "path": [ { "azimuth": 60, "elevation": 20, "distance": 1.5 } ] } ])",
              2);
   }
+  static void TearDownTestSuite() { heard_.reset(); }
+  void SetUp() override { write_config(scratch_); }
 
   [[nodiscard]] fs::path config() const { return scratch_ / "array.cfg"; }
   [[nodiscard]] fs::path tuned() const { return scratch_ / "tuned.cfg"; }
-  [[nodiscard]] std::string sound(const std::string& name) const {
-    return (scratch_ / name / "mics.wav").string();
+  [[nodiscard]] static std::string sound(const std::string& name) {
+    return (*heard_ / name / "mics.wav").string();
   }
 
-  void simulate(const std::string& name, const std::string& sources, int seed) const {
-    const fs::path scene = scratch_ / (name + ".json");
-    test::write_file(scene, R"({ "seconds": 14, "array": ")" + config().string() + R"(",
+  static void write_config(const test::Scratch& folder) {
+    test::write_file(folder / "array.cfg", kArray);
+    test::write_file(folder / "tracking.cfg", kTracking);
+  }
+
+  static void simulate(const std::string& name, const std::string& sources, int seed) {
+    const fs::path scene = *heard_ / (name + ".json");
+    test::write_file(scene, R"({ "seconds": 14, "array": ")" + (*heard_ / "array.cfg").string() + R"(",
       "room": { "size": [5, 4, 2.8], "rt60": 0.4 }, "seed": )" +
                                 std::to_string(seed) + sources + R"(, "noise": { "kind": "pink", )" +
                                 (sources.empty() ? R"("level_db": -45)" : R"("snr_db": 20)") + " } }");
     const ProgramRun run = test::run_program(
-        {test::program_path("odas"), "simulate", scene.string(), "-o", (scratch_ / name).string()});
+        {test::program_path("odas"), "simulate", scene.string(), "-o", (*heard_ / name).string()});
     ASSERT_EQ(run.exit_code, 0) << run.err;
   }
 
@@ -78,6 +87,7 @@ class Tune : public ::testing::Test {
   }
 
   test::Scratch scratch_;
+  inline static std::unique_ptr<test::Scratch> heard_;
 };
 
 TEST_F(Tune, finds_the_talker_where_the_defaults_do_not_and_nobody_in_silence) {

@@ -14,13 +14,14 @@
 
 namespace odas::test {
 
-/// A folder of its own for the running test, empty; removed at the end. The same test may run twice at a
-/// time.
+/// A folder of its own for the running test, or what a suite makes for all its tests, empty; removed at the
+/// end. The same test may run twice at a time.
 class Scratch {
  public:
   Scratch() {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string(info->test_suite_name()) + "." + info->name();
+    const auto& unit = *testing::UnitTest::GetInstance();
+    std::string name = unit.current_test_suite()->name();
+    if (const auto* info = unit.current_test_info(); info != nullptr) name += std::string(".") + info->name();
     for (char& c : name) {
       if (c == '/') c = '_';
     }

@@ -14,6 +14,9 @@ namespace {
 struct Bumps {
   Bumps(const GeneralConfig& general, Vec3 u)
       : plan(general, {}), fit(general, plan, SslConfig().interp_rate) {
+    come_from(u);
+  }
+  void come_from(Vec3 u) {
     x = Grid<float>(plan.pairs.size(), plan.row_size);
     for (std::size_t q = 0; q < x.rows(); ++q) {
       for (std::size_t n = 0; n <= 2 * plan.half_lags; ++n) {
@@ -33,11 +36,11 @@ struct Bumps {
 };
 
 TEST(PeakFit, Finds_the_direction_between_the_points_of_the_grid) {
-  const GeneralConfig general = test::tetrahedron(0.15F);
+  Bumps bumps(test::tetrahedron(0.15F), {1, 0, 0});
   for (float az = -170; az < 180; az += 47) {
     for (const float el : {-50.F, 3.F, 35.F, 88.F}) {
       const Vec3 u = direction_of(az, el);
-      const Bumps bumps(general, u);
+      bumps.come_from(u);
       const auto found = bumps.from(direction_of(az + 4, std::min(el + 3, 90.F)));
       EXPECT_LT(test::angle_deg(found.direction, u), 0.1F) << az << " " << el;
       EXPECT_NEAR(found.energy, 1, 0.01);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "odas/pipeline/pipeline.hpp"
 
+#include <array>
 #include <cstdlib>
 #include <limits>
 #include <numbers>
@@ -36,18 +37,17 @@ class FarSource {
     const float per_metre = static_cast<float>(config.samplerate.mu) / config.speedofsound.mu;
     for (std::size_t m = 0; m < mics_.rows(); ++m) {
       const auto& p = config.mics[m].mu;
-      const double delay = 100 - static_cast<double>(per_metre * dot({p[0], p[1], p[2]}, u));
+      const double at = 100 + static_cast<double>(per_metre * dot({p[0], p[1], p[2]}, u));
+      const std::size_t first = static_cast<std::size_t>(at) - 15;
+      std::array<double, 32> taps{};
+      for (std::size_t k = 0; k < taps.size(); ++k) {
+        const double x = std::numbers::pi * (at - static_cast<double>(first + k));
+        taps[k] = (std::abs(x) < 1e-9 ? 1 : std::sin(x) / x) * (0.5 + 0.5 * std::cos(x / 16));
+      }
       for (std::size_t n = 0; n < mics_.cols(); ++n) {
-        const double at = static_cast<double>(n) + 200 - delay;
-        const auto first = static_cast<long>(at) - 15;
         double sum = 0;
-        for (long k = first; k < first + 32; ++k) {
-          if (k < 0 || k >= static_cast<long>(dry.size())) continue;
-          const double x = std::numbers::pi * (at - static_cast<double>(k));
-          const double sinc = std::abs(x) < 1e-9 ? 1 : std::sin(x) / x;
-          sum +=
-              static_cast<double>(dry[static_cast<std::size_t>(k)]) * sinc * (0.5 + 0.5 * std::cos(x / 16));
-        }
+        for (std::size_t k = 0; k < taps.size(); ++k)
+          sum += taps[k] * static_cast<double>(dry[n + first + k]);
         mics_[m][n] = static_cast<float>(sum);
       }
     }

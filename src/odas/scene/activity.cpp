@@ -25,7 +25,8 @@ std::vector<std::uint8_t> activity_of(std::span<const float> sound, std::size_t 
   std::nth_element(heard.begin(), loud, heard.end());
   const double threshold = *loud * 1e-3;
   const auto shortest = static_cast<std::size_t>(sample_rate) / 5 / step;
-  std::size_t since = count;  // inactive steps; what comes before the first word is no pause
+  // Inactive steps. What comes before the first word is no pause, however short all of it is.
+  std::size_t since = std::max(count, shortest);
   for (std::size_t i = 0; i < count; ++i) {
     if (energy[i] <= threshold) {
       ++since;

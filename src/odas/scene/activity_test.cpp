@@ -43,6 +43,14 @@ TEST(Activity, Goes_on_over_short_pauses_and_not_over_long_ones) {
   EXPECT_FALSE(active[175]);
 }
 
+TEST(Activity, Of_a_sound_shorter_than_a_pause_is_all_of_it) {
+  for (const double seconds : {0.01, 0.1, 0.19}) {
+    std::vector<float> sound(static_cast<std::size_t>(seconds * kRate));
+    put(sound, 0, seconds);
+    for (const auto active : activity_of(sound, kStep, kRate)) EXPECT_TRUE(active) << seconds;
+  }
+}
+
 TEST(Activity, Does_not_count_what_is_40_dB_under_the_loud_parts) {
   std::vector<float> sound(3 * kRate);
   put(sound, 0, 1);

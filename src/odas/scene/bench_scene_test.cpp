@@ -9,6 +9,7 @@
 
 #include "odas/base/error.hpp"
 #include "odas/scene/bench_run.hpp"
+#include "odas/scene/sound.hpp"
 #include "odas/scene/trajectory.hpp"
 
 namespace odas::bench_scene_test {
@@ -52,8 +53,11 @@ BenchScene small(BenchMotion motion = BenchMotion::still) {
 class BenchSceneTest : public testing::Test {
  protected:
   void SetUp() override {
+    SoundRecipe word;
+    word.kind = SoundRecipe::Kind::speech;
+    word.utterances.push_back({0, "a"});
     try {
-      static_cast<void>(make_scene(small(), square()));
+      static_cast<void>(make_sound(word, 16000, 1600, 0));
     } catch (const IoError& error) { GTEST_SKIP() << error.what(); }
   }
 };

@@ -108,7 +108,7 @@ TEST_F(SpeechTest, a_program_that_does_not_read_or_end_is_killed_and_nobody_wait
 }
 
 TEST_F(SpeechTest, a_program_that_floods_is_killed) {
-  start("yes '{\"text\":\"\"}'");
+  start("yes '{\"text\":\"" + std::string(200, ' ') + "\"}'");
   play(60, {1, 0});
   EXPECT_TRUE(eventually([&] { return is_said("writes without end"); }));
   play(60, {1, 0});
