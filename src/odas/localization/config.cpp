@@ -33,8 +33,9 @@ Schema SslConfig::schema() {
                                    "of srp_phat: none: all bins count alike, as in ODAS; snr: each bin "
                                    "counts by its signal-to-noise ratio",
                                    {"none", "snr"}),
-      field<&SslConfig::averaging>("averaging", "ms", {0, 10000},
-                                   "time constant over which srp_clean averages the correlations"),
+      field<&SslConfig::averaging>(
+          "averaging", "ms", {0, 10000},
+          "time constant over which srp_clean averages faint correlations; clear ones need less"),
   };
   return fields;
 }

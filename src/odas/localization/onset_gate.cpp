@@ -25,7 +25,7 @@ OnsetGate::OnsetGate(std::size_t mics, std::size_t bins, float hop_s, float bin_
 }
 
 void OnsetGate::update(GridView<const cfloat> spectra, GridView<const float> noise_psd) noexcept {
-  constexpr float kPull = 2;
+  constexpr float kPull = 2.5F;
   const std::size_t bins = weights_.size();
   ODAS_EXPECT(spectra.cols() == bins && noise_psd.cols() == bins && noise_psd.rows() == spectra.rows());
   std::fill(power_.begin(), power_.end(), 0.F);

@@ -25,8 +25,8 @@ class OnsetGate {
   /// Makes the weights of a hop; spectra, noise_psd [mic][bin].
   void update(GridView<const cfloat> spectra, GridView<const float> noise_psd) noexcept;
   [[nodiscard]] std::span<const float> weights() const noexcept { return weights_; }
-  /// What of them the diffuse rest of noise and echoes makes: g (2 lambda + r) / P. Twice the noise, for it
-  /// pulls at the phases of bins that stand little out of it by more than its share; so measured.
+  /// What of them the diffuse rest of noise and echoes makes: g (2.5 lambda + r) / P. More than the noise,
+  /// for it pulls at the phases of bins that stand little out of it by more than its share; so measured.
   [[nodiscard]] std::span<const float> diffuse() const noexcept { return diffuse_; }
   void reset() noexcept;
 

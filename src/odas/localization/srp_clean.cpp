@@ -21,8 +21,8 @@ float bin_hz(const GeneralConfig& general) {
 constexpr std::array<Pair, 1> kSelf{{{0, 0}}};  // a channel with itself: the pattern of a plane wave
 
 constexpr float kLeastEvidence = -6;
-// As many times sooner a hop in which every bin were clear would be in the average. Half of all is seldom
-// clear; of a talker nearby a tenth is.
+// How much sooner a hop is in the average, for the mean weight of its bins: that of a talker nearby is a
+// tenth.
 constexpr float kClearer = 60;
 // After a potential of so little evidence no more are searched: they would have less.
 constexpr float kNothing = -2;

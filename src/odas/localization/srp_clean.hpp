@@ -18,18 +18,19 @@ namespace odas {
 ///
 /// Method: g = weights of the hop's bins (OnsetGate);
 ///   x_ij <- (1 - a) x_ij + a IDFT(g phi_i conj(phi_j) - diffuse part),  w <- (1 - a) w + a IDFT(g),
-///   phi = X / |X|,  a = 1 - e^(-hop / averaging); the diffuse part is DiffuseField's. Search from coarse to
-///   fine (PeakSearch), then off the grid (PeakFit). After a potential at u with E is found: x_ij[l] -= E w[l
-///   - lag_ij(u)] / w[0]. energy = E / (sum of the slopes of all bins): 1 if all bins were clear onsets of
-///   one plane wave. evidence and covariance: below, fitted to simulated rooms; docs/localization.md has the
-///   figures.
+///   phi = X / |X|,  a = 1 - e^(-(1 + 60 m) hop / averaging),  m: mean of g over the bins. A clear hop needs
+///   no average, and what was before is not mixed into it. The diffuse part is DiffuseField's. Search from
+///   coarse to fine (PeakSearch), then off the grid (PeakFit). After a potential at u with E is found:
+///   x_ij[l]
+///   -= E w[l - lag_ij(u)] / w[0]. energy = E: 0.5 if all bins were clear onsets of one plane wave. evidence
+///   and covariance: below, fitted to simulated rooms; docs/localization.md has the figures.
 /// Symbols: u direction, i < j microphones, l lag in samples interpolated r times.
 /// Source: SRP-PHAT, DiBiase, 2000; search, Grondin and Michaud, 2019; CLEAN, Hoegbom, 1974.
 /// Shapes: spectra [mic][bin], noise_psd [mic][bin] -> potentials, the clearest first.
 /// Cost per hop: pairs (bins with g > 0, about an eighth of all, x lags / 2 + potentials (candidates +
-/// lags)). Delay: none, but an average lags by its time constant. Errors: the constructor throws ConfigError.
-/// A non-finite bin counts as silent. Fails: a source that sounds steadily for seconds (a hum) is noise.
-/// Errors of neighbouring hops are not independent: the average links them.
+/// lags)). Delay: none, but an average lags by its time constant at most. Errors: the constructor throws
+/// ConfigError. A non-finite bin counts as silent. Fails: a source that sounds steadily for seconds (a hum)
+/// is noise. Errors of neighbouring hops are not independent: the average links them.
 class SrpClean final : public Localizer {
  public:
   SrpClean(const GeneralConfig& general, const SslConfig& ssl);

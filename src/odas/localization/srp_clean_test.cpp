@@ -98,6 +98,25 @@ TEST(SrpClean, Averages_over_its_time_constant) {
   EXPECT_LT(angle_deg(found[0].direction, first.direction), 0.1F) << "it rings out where it was";
 }
 
+TEST(SrpClean, Forgets_in_one_clear_hop_what_was_before) {
+  const GeneralConfig general = test::tetrahedron(0.15F);
+  SslConfig ssl;
+  ssl.averaging = 80;  // ten hops
+  SrpClean localizer(general, ssl);
+  const Grid<float> silence(4, kBins);
+  std::vector<Potential> found(1);
+  for (const float azimuth : {60.F, -100.F}) {
+    const Vec3 u = direction_of(azimuth, 20);
+    Grid<cfloat> spectra = test::plane_wave(general, u);
+    for (std::size_t m = 0; m < spectra.rows(); ++m) {
+      for (cfloat& x : spectra[m]) x *= azimuth < 0 ? 100.F : 1.F;  // far above the echoes of the one before
+    }
+    localizer.locate(spectra, silence, found);
+    EXPECT_LT(angle_deg(found[0].direction, u), 1);
+    EXPECT_GT(found[0].energy, 0.45F) << "of 0.5, where all bins are clear";
+  }
+}
+
 TEST(SrpClean, Does_not_depend_on_the_level) {
   const GeneralConfig general = test::tetrahedron(0.12F);
   Grid<cfloat> spectra = test::plane_wave(general, direction_of(10, 10));

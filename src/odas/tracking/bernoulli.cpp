@@ -26,7 +26,8 @@ constexpr double kPatience = 0.18;                   // s of silence, at least
 constexpr double kEarned = 0.2;                      // s more for each nat of its strength, if alone
 constexpr double kAlone = 68 * kDegree;              // of azimuth: other tracks are farther off than that
 constexpr double kForgotten = 3.6;                   // s: strength is of late
-constexpr double kPasses = 27 * kDegree;             // of azimuth: who walks by hides others
+constexpr double kHidden = 3;                        // s of silence at least, of whom somebody walks past,
+constexpr double kPasses = 27 * kDegree;             // of azimuth: this near
 constexpr double kMine = 1.35;  // as much likelier than another's an observation is when it moves a track
 constexpr double kEchoes = 40 * kDegree;  // of elevation, floor and ceiling from their talker
 constexpr double kGoesOn = 0.73;          // s of silence in which who walks walks on
@@ -213,11 +214,7 @@ void BernoulliTracker::follow(Source& source, std::span<const Link> links) noexc
   if (source.stage == Stage::seen) source.strength -= std::min(dt_ / kForgotten, 1.0) * source.strength;
   const double odds = std::log(std::max(source.sounding, 1e-9) / std::max(1 - source.sounding, 1e-9));
   source.sounding = std::clamp(sigmoid(odds + own_share_ * std::log(sounds)), 1e-3, 1 - 1e-3);
-  if (source.sounding > 0.5) {
-    source.silent_hops = 0;
-  } else if (!is_passed(source)) {
-    ++source.silent_hops;
-  }
+  source.silent_hops = source.sounding > 0.5 ? 0 : source.silent_hops + 1;
   ++source.age;
 }
 
@@ -275,11 +272,11 @@ double BernoulliTracker::distance_to_others(const Source& source, const Source* 
 /// Somebody walks past, and while they are in one place the louder one is heard.
 bool BernoulliTracker::is_passed(const Source& source) const noexcept {
   constexpr double kSurely = 0.7;
-  return source.stage == Stage::seen && std::any_of(slots_.begin(), slots_.end(), [&](const Source& other) {
-           return &other != &source && other.stage == Stage::seen &&
-                  std::max(other.walker.walking(), source.walker.walking()) > kSurely &&
-                  azimuth_between(other.walker.direction(), source.walker.direction()) < kPasses;
-         });
+  return std::any_of(slots_.begin(), slots_.end(), [&](const Source& other) {
+    return &other != &source && other.stage == Stage::seen &&
+           std::max(other.walker.walking(), source.walker.walking()) > kSurely &&
+           azimuth_between(other.walker.direction(), source.walker.direction()) < kPasses;
+  });
 }
 
 void BernoulliTracker::bury() noexcept {
@@ -299,7 +296,8 @@ void BernoulliTracker::bury() noexcept {
     // Near another it may be what is left of one that the other follows now.
     const double near = distance_to_others(source) / kAlone;
     const double alone = 1 - std::exp(-near * near);
-    const double earned = (kPatience + kEarned * alone * source.strength) / std::max(dt_, 1e-6);
+    const double least = is_passed(source) ? kHidden : kPatience;
+    const double earned = (least + kEarned * alone * source.strength) / std::max(dt_, 1e-6);
     const double patience = std::min(earned, static_cast<double>(config_.patience(living)));
     if (source.silent_hops < patience) continue;
     departed_.add(source.id, source.walker.direction(), t);

@@ -17,14 +17,15 @@ namespace odas {
 ///
 /// Method: of each track the probability that it sounds is a Markov chain, and its place a `Walker`. Each
 /// hop, potential s of evidence e_s (log likelihood ratio of a source against none) has the hypotheses: no
-/// source D; a new one 0.05 exp(e_s) D; track t p_t exp(e_s) C_t(s), with D the density of a direction of
+/// source D; a new one 0.02 exp(e_s) D; track t p_t exp(e_s) C_t(s), with D the density of a direction of
 /// which nothing is known, C_t that of the track, p_t the probability that it sounds and is found. What no
 /// track explains opens a candidate. Its evidence is summed from hop to hop (a sequential probability ratio
-/// test): a clear voice is confirmed within a few hops, a faint one in noise when enough has come together,
-/// and chance runs out before. Hops in which nothing elsewhere is louder, which reflections hardly have, tell
-/// most. Candidates are not seen and take no slot. A track dies after a silence, the
-/// sooner the less evidence there ever was for it; of two that stay one on the other the younger goes. What
-/// has sounded for two seconds and hardly swells is a machine: it is followed on, but as a candidate.
+/// test), and its strength, which is that of the hops in which nothing elsewhere was louder: reflections
+/// hardly have any. By its strength it is confirmed, the later the nearer it is to a track; chance runs out
+/// before. Candidates are not seen and take no slot. A track dies after a silence, the sooner the less
+/// strength it had of late and the nearer others are, and later while somebody walks past and hides it.
+/// Of two that stay one on the other the younger goes. What has sounded for two seconds and hardly swells is
+/// a machine: it is followed on, but as a candidate.
 /// Symbols: evidence and covariance of `Potential`; where a localizer does not tell them, ln A(E) / I(E) of
 /// the mixtures `sst.active` and `sst.inactive`, and `sst.sigmaR2_active`. Keys that count: nTracks,
 /// N_inactive (longest patience), add, memory, target. Source: Reuter, Vo, Vo and Dietmayer, 2014 (LMB);
@@ -54,7 +55,7 @@ class BernoulliTracker final : public Tracker {
     double sounding = 0;       // probability, by the chain
     double activity = 0;       // probability that a potential of this hop is its own
     double evidence = 0;       // that it is there; natural logarithm
-    double strength = 0;       // evidence of all hops in which nothing else was louder
+    double strength = 0;       // evidence of hops in which nothing else was louder
     TangentCovariance blur{};  // of its observations, of late
     // Of ln E of its observations, as long as it was heard, over kLoudness at most.
     double heard_s = 0, loudness = 0, loudness_variance = 0;

@@ -137,6 +137,17 @@ TEST(Bernoulli, keeps_the_identities_of_two_who_cross) {
   EXPECT_EQ(run.id_at(0), 2U);
 }
 
+TEST(Bernoulli, forgets_two_who_met_and_fell_silent) {
+  Heard run;
+  for (int h = 0; h < 480; ++h) {
+    const auto turn = 0.096F * static_cast<float>(h);
+    run.hop({{turn, 20, 5}, {96 - turn, 20, 4.5F}});
+  }
+  ASSERT_EQ(run.living(), 2);
+  run.hops(520, {});  // longer than the longest patience, although each hides the other
+  EXPECT_EQ(run.living(), 0);
+}
+
 TEST(Bernoulli, knows_who_walked_on_in_a_pause_faster_than_before) {
   Heard run;
   for (int h = 0; h < 375; ++h) run.hop({{-60 + 12 * static_cast<float>(h * kHop), 20, 5}});
