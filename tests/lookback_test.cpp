@@ -180,7 +180,9 @@ TEST(FirstSyllable, is_there_in_a_dialogue_of_our_own) {
   const auto lost = missing(known, hear(config, played.mics));
   EXPECT_GE(lost.size(), 4U);
   EXPECT_EQ(share_whole(lost), 1);
-  EXPECT_LT(share_whole(missing(known, hear(array_config("respeaker_usb_4_mic", false), played.mics))), 0.9);
+  const auto without = missing(known, hear(array_config("respeaker_usb_4_mic", false), played.mics));
+  EXPECT_GT(*std::max_element(without.begin(), without.end()), *std::max_element(lost.begin(), lost.end()))
+      << "or there is nothing to mend";
 }
 
 }  // namespace

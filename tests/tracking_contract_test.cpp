@@ -162,7 +162,7 @@ TEST_P(TrackingContract, follows_as_many_sources_as_it_has_slots_up_to_64) {
       const float a = 2.3999632F * static_cast<float>(i);
       sources.push_back({r * std::cos(a), r * std::sin(a), z});
     }
-    run.hops(20, sources);
+    run.hops(40, sources);  // who is beside another takes longer
     ASSERT_EQ(run.tracks.size(), slots);
     EXPECT_TRUE(std::all_of(run.tracks.begin(), run.tracks.end(), [](const Track& t) { return t.id != 0; }))
         << slots;

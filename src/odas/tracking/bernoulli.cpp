@@ -20,8 +20,8 @@ constexpr double kOpens = 0.73;                      // evidence of a potential 
 constexpr double kGivenUp = -0.8;                    // nats, of a candidate
 constexpr double kMost = 7;                          // nats; evidence is not counted beyond
 constexpr double kConfirmed = 0.8, kSure = 5;        // nats: of hops that it led; of all hops, at most
-constexpr double kBeside = 60;                       // nats more of hops that it led, beside a track,
-constexpr double kReflects = 14.3 * kDegree;         // of azimuth, and how far off that fades
+constexpr double kBeside = 25;                       // nats more of hops that it led, beside a track,
+constexpr double kReflects = 20 * kDegree;           // of azimuth, and how far off that fades
 constexpr double kPatience = 0.18;                   // s of silence, at least
 constexpr double kEarned = 0.2;                      // s more for each nat of its strength, if alone
 constexpr double kAlone = 68 * kDegree;              // of azimuth: other tracks are farther off than that
