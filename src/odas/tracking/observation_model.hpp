@@ -10,8 +10,8 @@
 
 namespace odas {
 
-/// Of azimuth, in radians: nearer than two people stand.
-inline constexpr double kSamePlace = 0.122;
+/// Of azimuth: nearer than two people stand.
+inline constexpr double kSamePlace = 7 * kDegree;
 
 /// In radians, 0 to pi.
 [[nodiscard]] double azimuth_between(Vec3 a, Vec3 b) noexcept;
