@@ -21,9 +21,9 @@ namespace odas {
 ///   phi = X / |X|,  a = 1 - e^(-(1 + 60 m) hop / averaging),  m: mean of g over the bins. A clear hop needs
 ///   no average, and what was before is not mixed into it. The diffuse part is DiffuseField's. Search from
 ///   coarse to fine (PeakSearch), then off the grid (PeakFit). After a potential at u with E is found:
-///   x_ij[l]
-///   -= E w[l - lag_ij(u)] / w[0]. energy = E: 0.5 if all bins were clear onsets of one plane wave. evidence
-///   and covariance: below, fitted to simulated rooms; docs/localization.md has the figures.
+///   x_ij[l] -= E w[l - lag_ij(u)] / w[0].
+///   energy = E: 0.5 if all bins were clear onsets of one plane wave. evidence and covariance: below, fitted
+///   to simulated rooms; docs/localization.md has the figures.
 /// Symbols: u direction, i < j microphones, l lag in samples interpolated r times.
 /// Source: SRP-PHAT, DiBiase, 2000; search, Grondin and Michaud, 2019; CLEAN, Hoegbom, 1974.
 /// Shapes: spectra [mic][bin], noise_psd [mic][bin] -> potentials, the clearest first.

@@ -84,36 +84,42 @@ TEST(SrpClean, Searches_no_further_where_nothing_is_left_to_be_found) {
   }
 }
 
-TEST(SrpClean, Averages_over_its_time_constant) {
-  const GeneralConfig general = test::tetrahedron(0.15F);
-  SslConfig ssl;
-  ssl.averaging = 80;  // ten hops
-  SrpClean localizer(general, ssl);
-  const Grid<float> silence(4, kBins);
-  std::vector<Potential> found(1);
-  localizer.locate(test::plane_wave(general, direction_of(60, 20)), silence, found);
-  const Potential first = found[0];
-  for (int hop = 0; hop < 10; ++hop) localizer.locate(Grid<cfloat>(4, kBins), silence, found);
-  EXPECT_NEAR(found[0].energy, first.energy * std::exp(-1.F), 0.01F * first.energy);
-  EXPECT_LT(angle_deg(found[0].direction, first.direction), 0.1F) << "it rings out where it was";
+/// Averages over ten hops, and hears them one after the other without noise.
+class SrpCleanInTime : public ::testing::Test {
+ protected:
+  static SslConfig ten_hops() {
+    SslConfig ssl;
+    ssl.averaging = 80;  // ms
+    return ssl;
+  }
+  const Potential& hop(const Grid<cfloat>& spectra) {
+    localizer_.locate(spectra, silence_, found_);
+    return found_[0];
+  }
+
+  GeneralConfig general_ = test::tetrahedron(0.15F);
+  SrpClean localizer_{general_, ten_hops()};
+  Grid<float> silence_{4, kBins};
+  std::vector<Potential> found_ = std::vector<Potential>(1);
+};
+
+TEST_F(SrpCleanInTime, Averages_over_its_time_constant) {
+  const Potential first = hop(test::plane_wave(general_, direction_of(60, 20)));
+  for (int h = 0; h < 10; ++h) hop(Grid<cfloat>(4, kBins));
+  EXPECT_NEAR(found_[0].energy, first.energy * std::exp(-1.F), 0.01F * first.energy);
+  EXPECT_LT(angle_deg(found_[0].direction, first.direction), 0.1F) << "it rings out where it was";
 }
 
-TEST(SrpClean, Forgets_in_one_clear_hop_what_was_before) {
-  const GeneralConfig general = test::tetrahedron(0.15F);
-  SslConfig ssl;
-  ssl.averaging = 80;  // ten hops
-  SrpClean localizer(general, ssl);
-  const Grid<float> silence(4, kBins);
-  std::vector<Potential> found(1);
+TEST_F(SrpCleanInTime, Forgets_in_one_clear_hop_what_was_before) {
   for (const float azimuth : {60.F, -100.F}) {
     const Vec3 u = direction_of(azimuth, 20);
-    Grid<cfloat> spectra = test::plane_wave(general, u);
+    Grid<cfloat> spectra = test::plane_wave(general_, u);
     for (std::size_t m = 0; m < spectra.rows(); ++m) {
       for (cfloat& x : spectra[m]) x *= azimuth < 0 ? 100.F : 1.F;  // far above the echoes of the one before
     }
-    localizer.locate(spectra, silence, found);
-    EXPECT_LT(angle_deg(found[0].direction, u), 1);
-    EXPECT_GT(found[0].energy, 0.45F) << "of 0.5, where all bins are clear";
+    const Potential found = hop(spectra);
+    EXPECT_LT(angle_deg(found.direction, u), 1);
+    EXPECT_GT(found.energy, 0.45F) << "of 0.5, where all bins are clear";
   }
 }
 

@@ -7,12 +7,12 @@
 namespace odas {
 namespace {
 
-// By docs/tracking.md.
+// Chosen as docs/tracking.md says.
 constexpr double kBehind = 0.33;                 // nats; louder by less is not louder
 constexpr double kLess = 0.45, kLessOld = 0.65;  // of what is louder by a nat, so much less evidence
-constexpr float kBlur2East = 0.0036F,
-                kBlur2North = 0.006F;  // rad^2: talkers are no points, rooms no open fields
-constexpr double kSurest = 12;         // nats
+constexpr double kSurest = 12;                   // nats
+// rad^2: talkers are no points, and rooms no open fields.
+constexpr float kBlur2East = 0.0036F, kBlur2North = 0.006F;
 
 }  // namespace
 

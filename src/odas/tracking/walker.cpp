@@ -10,7 +10,7 @@ namespace {
 
 constexpr double square(double x) { return x * x; }
 
-// Of people in rooms, 1 to 4 m away. None of them is critical: half or twice of it costs little.
+// Of people in rooms, 1 to 4 m away; chosen as docs/tracking.md says.
 constexpr double kDrift2 = square(0.25 * kDegree);      // rad^2/s of one who stands: the head, the weight
 constexpr double kTurning2 = square(16 * kDegree);      // (rad/s)^2 around the array, of one who walks
 constexpr double kRising2 = square(3.8 * kDegree);      // (rad/s)^2 up and down
