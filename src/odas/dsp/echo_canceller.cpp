@@ -17,10 +17,13 @@ constexpr double kDriftTime = 15;        // s, in which a path becomes another o
 constexpr double kNearTime = 0.05;       // s, over which the power of others is followed
 constexpr double kLossTime = 3;          // s, over which the return loss is told
 constexpr std::size_t kConstraints = 8;  // partitions cut back in each hop
+// Of the variance in D. With 1/2, which the window alone asks for, an echo that comes late or of one tone
+// makes the filter swing, for of what is cut back a part is learned again: docs/decisions.md.
+constexpr float kCaution = 1.3F;
+constexpr double kHarmTime = 0.1;  // s; louder by this for so long: what was learned is worse than nothing
+constexpr double kHarm = 1.5, kMostHarm = 4;  // of the power; a hop louder than that is not touched
 
-float memory(double hop_seconds, double seconds) {
-  return static_cast<float>(std::exp(-hop_seconds / seconds));
-}
+double memory(double hop_seconds, double seconds) { return std::exp(-hop_seconds / seconds); }
 
 bool is_sound(float x) noexcept { return std::abs(x) < kLoudest; }  // false for NaN, too
 
@@ -52,12 +55,14 @@ EchoCanceller::EchoCanceller(std::size_t mics, std::size_t references, std::size
       near_(hop_size + 1),
       cross_(hop_size + 1),
       sum_(hop_size + 1),
-      usable_(mics) {
+      usable_(mics),
+      error_(hop_size) {
   ODAS_EXPECT(references > 0 && length > 0 && hop_size > 0);
   const double hop = static_cast<double>(hop_size) / sample_rate;
-  drift_ = memory(hop, kDriftTime / 2);
-  near_memory_ = memory(hop, kNearTime);
+  drift_ = static_cast<float>(memory(hop, kDriftTime / 2));
+  near_memory_ = static_cast<float>(memory(hop, kNearTime));
   loss_memory_ = memory(hop, kLossTime);
+  harm_memory_ = memory(hop, kHarmTime);
   for (std::size_t m = 0; m < mics; ++m) filters_.emplace_back(references * blocks_, hop_size + 1);
   variance_.fill(kFirstVariance);
 }
@@ -68,6 +73,7 @@ void EchoCanceller::cancel(GridView<const float> references, GridView<float> mic
   if (!listen(references)) return;
   predict();
   for (std::size_t m = 0; m < mics.rows(); ++m) subtract(mics[m], m);
+  if (does_harm()) return forget();
   judge();
   learn();
   for (std::size_t n = 0; n < std::min(kConstraints, variance_.rows()); ++n) {
@@ -106,13 +112,13 @@ std::span<const cfloat> EchoCanceller::reference(std::size_t partition) const no
   return spectra_[first + (partition - first + head_) % blocks_];
 }
 
-/// How far the estimate may be off: sum |X|^2 P / 2.
+/// How far the estimate may be off: c sum |X|^2 P.
 void EchoCanceller::predict() noexcept {
   std::fill(spread_.begin(), spread_.end(), 0.F);
   for (std::size_t b = 0; b < variance_.rows(); ++b) {
     const std::span<const cfloat> x = reference(b);
     const std::span<const float> p = variance_[b];
-    for (std::size_t k = 0; k < p.size(); ++k) spread_[k] += 0.5F * std::norm(x[k]) * p[k];
+    for (std::size_t k = 0; k < p.size(); ++k) spread_[k] += kCaution * std::norm(x[k]) * p[k];
   }
 }
 
@@ -128,19 +134,33 @@ void EchoCanceller::subtract(std::span<float> mic, std::size_t m) noexcept {
   std::copy(sum_.begin(), sum_.end(), fft_.bins().begin());
   fft_.inverse();
   const std::span<float> time = fft_.time();
+  for (std::size_t i = 0; i < hop_size_; ++i) error_[i] = mic[i] - time[hop_size_ + i];
   const double before = power(mic);
-  for (std::size_t i = 0; i < hop_size_; ++i) mic[i] -= time[hop_size_ + i];
-  heard_ = static_cast<double>(loss_memory_) * heard_ + before;
-  left_ = static_cast<double>(loss_memory_) * left_ + power(mic);
+  const double after = power(error_);
+  const bool is_usable = after <= kMostHarm * before;
+  if (is_usable) std::copy(error_.begin(), error_.end(), mic.begin());
+  heard_now_ += before;
+  error_now_ += after;
+  left_now_ += is_usable ? after : before;
 
   // What was taken away, and what is left, in the window in which the filter learns.
   std::fill_n(time.begin(), hop_size_, 0.F);
   fft_.forward();
   std::copy(fft_.bins().begin(), fft_.bins().end(), echoes_[m].begin());
   std::fill_n(time.begin(), hop_size_, 0.F);
-  std::copy(mic.begin(), mic.end(), time.begin() + static_cast<std::ptrdiff_t>(hop_size_));
+  std::copy(error_.begin(), error_.end(), time.begin() + static_cast<std::ptrdiff_t>(hop_size_));
   fft_.forward();
   std::copy(fft_.bins().begin(), fft_.bins().end(), errors_[m].begin());
+}
+
+/// Where the microphones become louder the path has changed, or the filter has gone astray.
+bool EchoCanceller::does_harm() noexcept {
+  heard_ = loss_memory_ * heard_ + heard_now_;
+  left_ = loss_memory_ * left_ + left_now_;
+  heard_of_late_ = harm_memory_ * heard_of_late_ + heard_now_;
+  error_of_late_ = harm_memory_ * error_of_late_ + error_now_;
+  heard_now_ = left_now_ = error_now_ = 0;
+  return !(error_of_late_ <= kHarm * heard_of_late_);  // no number harms, too
 }
 
 /// Psi: the power of the error, but for what goes with the estimated echo.
@@ -210,12 +230,18 @@ void EchoCanceller::reset() noexcept {
   head_ = 0;
   silent_for_ = blocks_ + 1;
   constrained_ = 0;
+  heard_ = left_ = 0;
+  forget();
+}
+
+/// What was learned.
+void EchoCanceller::forget() noexcept {
   for (Grid<cfloat>& filter : filters_) filter.fill({});
   variance_.fill(kFirstVariance);
   path_power_.fill(0);
   for (std::vector<float>* v : {&error_power_, &echo_power_, &near_}) std::fill(v->begin(), v->end(), 0.F);
   std::fill(cross_.begin(), cross_.end(), cfloat{});
-  heard_ = left_ = 0;
+  heard_of_late_ = error_of_late_ = 0;
 }
 
 }  // namespace odas
