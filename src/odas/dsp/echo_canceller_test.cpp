@@ -36,20 +36,20 @@ Signal babble(double seconds, unsigned seed, float level = 0.1F) {
 
 /// The echo of a room with a reverberation time of 0.3 s, 0 dB in all.
 Signal through_room(const Signal& x, std::size_t delay, unsigned seed) {
+  constexpr std::size_t kStep =
+      48;  // every 48th tap of 150 ms: many more make no other room, but a slow test
   std::mt19937 random(seed);
   std::normal_distribution<float> normal;
-  Signal taps(400);  // every sixth of 150 ms
+  Signal taps(50);
   float power = 0;
   for (std::size_t n = 0; n < taps.size(); ++n) {
-    taps[n] = normal(random) * std::exp(-6.9F * static_cast<float>(6 * n) / 4800);
+    taps[n] = normal(random) * std::exp(-6.9F * static_cast<float>(kStep * n) / 4800);
     power += taps[n] * taps[n];
   }
   Signal y(x.size());
-  for (std::size_t n = 0; n < x.size(); ++n) {
-    if (x[n] == 0) continue;
-    for (std::size_t t = 0; t < taps.size() && n + delay + 6 * t < y.size(); ++t) {
-      y[n + delay + 6 * t] += x[n] * taps[t] / std::sqrt(power);
-    }
+  for (std::size_t t = 0; t < taps.size(); ++t) {
+    const float tap = taps[t] / std::sqrt(power);
+    for (std::size_t n = delay + kStep * t; n < y.size(); ++n) y[n] += tap * x[n - delay - kStep * t];
   }
   return y;
 }
@@ -115,33 +115,28 @@ TEST(EchoCanceller, takes_out_the_echo_of_a_room) {
 
 TEST(EchoCanceller, takes_out_an_echo_that_comes_late) {
   for (unsigned path = 10; path < 20; path += 2) {
-    Room room(8, 2400, path);  // 150 ms, and 150 ms of reverberation
+    Room room(5, 2400, path);  // 150 ms, and 150 ms of reverberation
     EchoCanceller echo = canceller();
     room.run(echo);
     EXPECT_GT(room.return_loss_db(0, 1), -1) << path;
     EXPECT_GT(room.return_loss_db(1, 2), 8) << path;
-    EXPECT_GT(room.return_loss_db(5, 8), 25) << path;
+    EXPECT_GT(room.return_loss_db(4, 5), 25) << path;
   }
 }
 
 TEST(EchoCanceller, takes_out_a_tone_for_as_long_as_it_sounds) {
-  for (const std::size_t delay : {std::size_t{0}, std::size_t{2400}}) {
-    Room room(0);
-    room.played.resize(20 * kRate);
-    for (std::size_t n = 0; n < room.played.size(); ++n) {
-      room.played[n] = 0.1F * std::sin(2.F * std::numbers::pi_v<float> * 440.F / kRate *
-                                       static_cast<float>(n % kRate));
-    }
-    const Signal hiss = babble(20, 5, 1e-5F);
-    for (std::size_t m = 0; m < kMics; ++m) {
-      room.echo[m] = through_room(room.played, delay, 14 + static_cast<unsigned>(m));
-      room.others[m] = hiss;
-      room.left[m].resize(room.played.size());
-    }
-    EchoCanceller echo = canceller();
-    room.run(echo);
-    for (const double from : {1., 5., 10., 15.}) EXPECT_GT(room.return_loss_db(from, from + 5), 6) << from;
+  Room room(15);
+  for (std::size_t n = 0; n < room.played.size(); ++n) {
+    const auto t = static_cast<float>(n % kRate) / kRate;
+    room.played[n] = 0.1F * std::sin(2 * std::numbers::pi_v<float> * 440 * t);
   }
+  for (std::size_t m = 0; m < kMics; ++m) {
+    room.echo[m] = through_room(room.played, 2400, 14 + static_cast<unsigned>(m));
+    room.others[m] = babble(15, 5, 1e-5F);
+  }
+  EchoCanceller echo = canceller();
+  room.run(echo);
+  for (const double from : {1., 5., 10.}) EXPECT_GT(room.return_loss_db(from, from + 5), 6) << from;
 }
 
 TEST(EchoCanceller, holds_still_while_somebody_else_speaks) {
