@@ -114,29 +114,29 @@ TEST(EchoCanceller, takes_out_the_echo_of_a_room) {
 }
 
 TEST(EchoCanceller, takes_out_an_echo_that_comes_late) {
-  for (unsigned path = 10; path < 20; path += 2) {
-    Room room(5, 2400, path);  // 150 ms, and 150 ms of reverberation
+  for (const unsigned path : {10U, 14U, 18U}) {
+    Room room(4, 2400, path);  // 150 ms, and 150 ms of reverberation
     EchoCanceller echo = canceller();
     room.run(echo);
     EXPECT_GT(room.return_loss_db(0, 1), -1) << path;
     EXPECT_GT(room.return_loss_db(1, 2), 8) << path;
-    EXPECT_GT(room.return_loss_db(4, 5), 25) << path;
+    EXPECT_GT(room.return_loss_db(3, 4), 20) << path;
   }
 }
 
 TEST(EchoCanceller, takes_out_a_tone_for_as_long_as_it_sounds) {
-  Room room(15);
+  Room room(8);
   for (std::size_t n = 0; n < room.played.size(); ++n) {
     const auto t = static_cast<float>(n % kRate) / kRate;
     room.played[n] = 0.1F * std::sin(2 * std::numbers::pi_v<float> * 440 * t);
   }
   for (std::size_t m = 0; m < kMics; ++m) {
     room.echo[m] = through_room(room.played, 2400, 14 + static_cast<unsigned>(m));
-    room.others[m] = babble(15, 5, 1e-5F);
+    room.others[m] = babble(8, 5, 1e-5F);
   }
   EchoCanceller echo = canceller();
   room.run(echo);
-  for (const double from : {1., 5., 10.}) EXPECT_GT(room.return_loss_db(from, from + 5), 6) << from;
+  for (const double from : {1., 3., 5.}) EXPECT_GT(room.return_loss_db(from, from + 3), 5) << from;
 }
 
 TEST(EchoCanceller, holds_still_while_somebody_else_speaks) {
