@@ -33,7 +33,7 @@ endif
 
 test:  ## all that must hold: both compilers, sanitizers, arm64, style, the page, every test (CI runs this)
 	@scripts/install_packages.sh build test
-	@scripts/test.sh check web asan tsan arm64-if-possible
+	@scripts/test.sh check web asan arm64-if-possible tsan
 
 check:  ## the tests of the release build, and the style: the quick part of `make test`
 	@scripts/install_packages.sh build test
