@@ -31,16 +31,6 @@ std::vector<std::string> demo(const Scratch& scratch, const std::vector<std::str
   return arguments;
 }
 
-json next(WebClient& client, const std::string& type) {
-  while (const auto message = client.next()) {
-    if (message->opcode != 1) continue;
-    json parsed = json::parse(message->payload);
-    if (parsed.at("type") == type) return parsed;
-  }
-  ADD_FAILURE() << "no message '" << type << "' came";
-  return {};
-}
-
 /// The page is there before the first hop is.
 bool hears(const StudioDaemon& daemon) {
   return eventually([&] { return metric(http_get(daemon.port(), "/metrics").body, "odas_hops_total") > 20; });

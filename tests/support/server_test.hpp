@@ -8,7 +8,6 @@
 #include "support/scratch.hpp"
 #include "support/web_client.hpp"
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "odas/studio/server.hpp"
 
@@ -72,16 +71,6 @@ class ServerTest : public testing::Test {
     hooks.failure = [this] { return failure; };
     server = std::make_unique<StudioServer>(config, rpc, std::vector<FileProvider*>{&files}, hooks);
     return *server;
-  }
-  /// The next message of this type, others are passed over.
-  static nlohmann::json next(WebClient& client, const std::string& type) {
-    while (const auto message = client.next()) {
-      if (message->opcode != 1) continue;
-      nlohmann::json parsed = nlohmann::json::parse(message->payload);
-      if (parsed.at("type") == type) return parsed;
-    }
-    ADD_FAILURE() << "no message '" << type << "' came";
-    return {};
   }
 
   Scratch scratch;

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "support/net_peer.hpp"
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace odas::test {
 
@@ -134,5 +136,16 @@ class WebClient {
   std::string head_, bytes_;
   bool open_ = false;
 };
+
+/// The next message of this type, others are passed over.
+inline nlohmann::json next(WebClient& client, const std::string& type) {
+  while (const auto message = client.next()) {
+    if (message->opcode != 1) continue;
+    nlohmann::json parsed = nlohmann::json::parse(message->payload);
+    if (parsed.at("type") == type) return parsed;
+  }
+  ADD_FAILURE() << "no message '" << type << "' came";
+  return {};
+}
 
 }  // namespace odas::test

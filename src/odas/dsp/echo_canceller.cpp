@@ -72,6 +72,7 @@ void EchoCanceller::cancel(GridView<const float> references, GridView<float> mic
   ODAS_EXPECT(mics.rows() == filters_.size() && mics.cols() == hop_size_);
   if (!listen(references)) return;
   predict();
+  fade();
   for (std::size_t m = 0; m < mics.rows(); ++m) subtract(mics[m], m);
   if (does_harm()) return forget();
   judge();
@@ -139,9 +140,10 @@ void EchoCanceller::subtract(std::span<float> mic, std::size_t m) noexcept {
   const double after = power(error_);
   const bool is_usable = after <= kMostHarm * before;
   if (is_usable) std::copy(error_.begin(), error_.end(), mic.begin());
-  heard_now_ += before;
-  error_now_ += after;
-  left_now_ += is_usable ? after : before;
+  heard_ += before;
+  left_ += is_usable ? after : before;
+  heard_of_late_ += before;
+  error_of_late_ += after;
 
   // What was taken away, and what is left, in the window in which the filter learns.
   std::fill_n(time.begin(), hop_size_, 0.F);
@@ -153,13 +155,16 @@ void EchoCanceller::subtract(std::span<float> mic, std::size_t m) noexcept {
   std::copy(fft_.bins().begin(), fft_.bins().end(), errors_[m].begin());
 }
 
+/// Of the powers what was before this hop.
+void EchoCanceller::fade() noexcept {
+  heard_ *= loss_memory_;
+  left_ *= loss_memory_;
+  heard_of_late_ *= harm_memory_;
+  error_of_late_ *= harm_memory_;
+}
+
 /// Where the microphones become louder the path has changed, or the filter has gone astray.
-bool EchoCanceller::does_harm() noexcept {
-  heard_ = loss_memory_ * heard_ + heard_now_;
-  left_ = loss_memory_ * left_ + left_now_;
-  heard_of_late_ = harm_memory_ * heard_of_late_ + heard_now_;
-  error_of_late_ = harm_memory_ * error_of_late_ + error_now_;
-  heard_now_ = left_now_ = error_now_ = 0;
+bool EchoCanceller::does_harm() const noexcept {
   return !(error_of_late_ <= kHarm * heard_of_late_);  // no number harms, too
 }
 

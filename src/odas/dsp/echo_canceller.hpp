@@ -57,7 +57,8 @@ class EchoCanceller {
   [[nodiscard]] bool listen(GridView<const float> references) noexcept;
   void predict() noexcept;
   void subtract(std::span<float> mic, std::size_t m) noexcept;
-  [[nodiscard]] bool does_harm() noexcept;
+  void fade() noexcept;
+  [[nodiscard]] bool does_harm() const noexcept;
   void judge() noexcept;
   void learn() noexcept;
   void forget() noexcept;
@@ -85,8 +86,7 @@ class EchoCanceller {
   std::vector<cfloat> cross_, sum_;                     // [bin]: sum E conj(Y), smoothed; scratch
   std::vector<std::uint8_t> usable_;                    // [mic]: its hop is finite
   std::vector<float> error_;                            // e
-  // Power of the microphones before and after, and of e: of this hop, and smoothed.
-  double heard_now_ = 0, left_now_ = 0, error_now_ = 0;
+  // Power of the microphones before and after, and of e, smoothed.
   double heard_ = 0, left_ = 0, heard_of_late_ = 0, error_of_late_ = 0;
 };
 

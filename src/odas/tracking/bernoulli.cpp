@@ -324,10 +324,11 @@ void BernoulliTracker::hide(Source& source) noexcept {
 void BernoulliTracker::confirm() noexcept {
   for (Source& candidate : candidates_) {
     if (candidate.stage == Stage::free || is_steady(candidate)) continue;
-    const double apart = distance_to_others(candidate, walked_on(candidate));
+    Source* const before = walked_on(candidate);
+    const double apart = distance_to_others(candidate, before);
     const double needed = kConfirmed + kBeside * std::exp(-apart / kReflects);
     const bool led = candidate.strength >= needed && candidate.evidence >= std::min(needed, kSure);
-    if (led || (apart > kAlone && candidate.evidence >= kMost)) show(candidate);
+    if (led || (apart > kAlone && candidate.evidence >= kMost)) show(candidate, before);
   }
 }
 
@@ -345,11 +346,10 @@ BernoulliTracker::Source* BernoulliTracker::walked_on(const Source& candidate) n
   return source == slots_.end() ? nullptr : &*source;
 }
 
-/// In the place of who walked on to here; or else in its old slot, the channel where it is listened for, if
-/// it is known and nobody else is there.
-void BernoulliTracker::show(Source& candidate) noexcept {
+/// In the place of who walked on to here (`slot`); or else in its old slot, the channel where it is listened
+/// for, if it is known and nobody else is there.
+void BernoulliTracker::show(Source& candidate, Source* slot) noexcept {
   std::uint64_t id = 0;
-  Source* slot = walked_on(candidate);
   if (slot != nullptr) {
     id = slot->id;
     candidate.strength += slot->strength;

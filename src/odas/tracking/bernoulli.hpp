@@ -85,7 +85,7 @@ class BernoulliTracker final : public Tracker {
   void hide(Source& source) noexcept;
   void confirm() noexcept;
   [[nodiscard]] Source* walked_on(const Source& candidate) noexcept;
-  void show(Source& candidate) noexcept;
+  void show(Source& candidate, Source* slot) noexcept;
   void open() noexcept;
   [[nodiscard]] Source* free_slot() noexcept;
   static void clear(Source& source) noexcept;
